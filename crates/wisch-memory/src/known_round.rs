@@ -189,10 +189,7 @@ fn is_cut_import(catalogue: &Catalogue, row: &EpisodeRow) -> bool {
     let remarks = catalogue.texts("semco:logRemark");
     let of_row = row.first..row.first + row.len;
     let from = remarks.partition_point(|(id, _)| *id < of_row.start);
-    let those = remarks[from..]
-        .iter()
-        .take_while(|(id, _)| of_row.contains(id));
-    those
-        .into_iter()
+    (remarks[from..].iter())
+        .take_while(|(id, _)| of_row.contains(id))
         .any(|(_, remark)| remark.contains(CUT_REMARK))
 }
