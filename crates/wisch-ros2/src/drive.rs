@@ -9,6 +9,7 @@ use crate::guard::Guard;
 use crate::motion::WipingMotion;
 use crate::protocol::{Incoming, MotionEnding, MotionHead, Outgoing, Request, VERSION};
 use crate::robot_file::RobotFile;
+use crate::wrench_quality::assumptions;
 use nalgebra::Vector3;
 use run::MotionRun;
 use serde_json::{Value, json};
@@ -149,6 +150,9 @@ impl Driver {
             return Err(fault.clone());
         }
         let guard = Guard::start(&robot_file)?;
+        for text in assumptions(&connection.file, options.is_in_air) {
+            eprintln!("wisch-ros2: {text}");
+        }
         Ok(Self {
             connection,
             sign,

@@ -22,5 +22,6 @@ mod push_test;
 mod readings;
 mod robot_file;
 mod service;
+mod wrench_quality;
 
 pub use args::{ProgramLine, run};

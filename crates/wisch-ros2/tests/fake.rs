@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU16, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use wisch::follow::Workcell;
+use wisch::interpret::WrenchQuality;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Stage,
@@ -316,6 +317,7 @@ pub fn start_executor(robot_file: &Path, options: &[&str]) -> Result<Recorded, E
         stop,
         endings: Vec::new(),
         error: None,
+        qualities: Vec::new(),
     })
 }
 
@@ -326,6 +328,8 @@ pub struct Recorded {
     pub stop: Arc<AtomicBool>,
     pub endings: Vec<Ending>,
     pub error: Option<String>,
+    /// Quality of the force of each sample.
+    pub qualities: Vec<WrenchQuality>,
 }
 
 impl Executor for Recorded {
@@ -346,7 +350,11 @@ impl Executor for Recorded {
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        let execution = self.process.execute(order, sink);
+        let qualities = &mut self.qualities;
+        let execution = self.process.execute(order, &mut |sample| {
+            qualities.push(sample.status.wrench);
+            sink(sample)
+        });
         match &execution {
             Ok(execution) => self.endings.push(execution.ending.clone()),
             Err(error) => self.error = Some(error.to_string()),

@@ -2,6 +2,7 @@
 
 use crate::fake::{ARM_BOARD, CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
 use std::sync::Arc;
+use wisch::interpret::WrenchQuality;
 use wisch::run::{Ending, Executor, RunEvent, Stage};
 use wisch_sim::{WorkSurface, World};
 
@@ -133,6 +134,23 @@ fn in_the_air_there_is_no_force_mode_and_no_tare() {
     );
     let forbidden = |text: &&&str| text.starts_with("force") || text.starts_with("tare");
     assert_eq!(texts.iter().find(forbidden), None);
+    let untared = |quality: &WrenchQuality| *quality == WrenchQuality::Untared;
+    assert!(executor.qualities.len() > 100 && executor.qualities.iter().all(untared));
+}
+
+#[test]
+fn the_force_is_stated_as_untared_until_the_tare_of_each_motion() {
+    let fake = FakeRobot::commissioned(|file| file);
+    let mut executor = fake.executor().unwrap();
+    for round in 1..=2 {
+        assert_eq!(execute_round(&mut executor), Ok(Ending::Complete));
+        let mut kinds = std::mem::take(&mut executor.qualities);
+        // On a loaded computer, a wrench may come late.
+        kinds.retain(|quality| *quality != WrenchQuality::Stale);
+        kinds.dedup();
+        let expected = [WrenchQuality::Untared, WrenchQuality::Ok];
+        assert_eq!(kinds, expected, "round {round}");
+    }
 }
 
 #[test]

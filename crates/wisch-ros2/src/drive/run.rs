@@ -11,10 +11,12 @@ use crate::guard::LONGEST_SILENCE;
 use crate::motion::{Part, WipingMotion};
 use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
 use crate::readings::{JointReading, ProgressReading, WrenchReading};
+use crate::wrench_quality::assess_wrench;
 use nalgebra::Vector3;
 use ros2_client::action_msgs::{GoalId, GoalStatusEnum};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
+use wisch::interpret::WrenchQuality;
 
 /// Longest wait for a joint state before readings are checked again.
 const TURN: Duration = Duration::from_millis(5);
@@ -69,7 +71,10 @@ pub(super) struct MotionRun<'a> {
     /// Force of the surroundings on the tool in the axes of the world, less the tare [N].
     force: Vector3<f64>,
     bias: Vector3<f64>,
+    quality: WrenchQuality,
+    /// Whether there is a tare, and whether it is of this motion.
     is_tared: bool,
+    is_tared_anew: bool,
     is_pressing: bool,
     goal: Option<ActiveGoal>,
     /// Time on the trajectory, as planned [s].
@@ -118,7 +123,9 @@ impl<'a> MotionRun<'a> {
             sample_time: -1.0,
             force: Vector3::zeros(),
             bias: driver.tare.get().unwrap_or_default(),
+            quality: WrenchQuality::Untared,
             is_tared: driver.tare.get().is_some(),
+            is_tared_anew: false,
             is_pressing: false,
             goal: None,
             trajectory_time: 0.0,
@@ -342,6 +349,8 @@ impl<'a> MotionRun<'a> {
             return Ok(());
         };
         self.scaling = scaling;
+        let is_tared = self.is_tared_anew;
+        self.quality = assess_wrench(&self.robot.file, wrench.as_ref(), joints.arrival, is_tared);
         self.force = match &wrench {
             Some(wrench) => self.force_in_world(&joints, wrench)?,
             None => Vector3::zeros(),
@@ -506,6 +515,7 @@ impl<'a> MotionRun<'a> {
             "velocities": latest.velocities,
             "efforts": latest.efforts,
             "force_n": [self.force.x, self.force.y, self.force.z],
+            "wrench_quality": self.quality.as_str(),
         });
         if latest.stamp > 0.0 {
             sample["stamp_ns"] = json!((latest.stamp * 1e9) as u64);

@@ -27,7 +27,7 @@ impl MotionRun<'_> {
     pub(super) fn tare(&mut self) -> Turned<()> {
         self.settle()?;
         self.bias = Vector3::zeros();
-        self.is_tared = false;
+        (self.is_tared, self.is_tared_anew) = (false, false);
         if let Some(tare) = &self.robot.tare {
             let request = match tare.send(EmptyRequest::default()) {
                 Ok(request) => request,
@@ -72,7 +72,7 @@ impl MotionRun<'_> {
             );
         }
         self.bias = mean;
-        self.is_tared = true;
+        (self.is_tared, self.is_tared_anew) = (true, true);
         self.driver.tare.set(Some(mean));
         Ok(())
     }
