@@ -77,6 +77,7 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
         "max_silence_s": MAX_SILENCE_S,
         "real_time": true,
         "prepares": true,
+        "pauses": true,
         "stamp_clock": "epoch",
         "knot_error_rad": driver.connection.file.motion.knot_error_rad,
     }}));
@@ -100,8 +101,8 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
                 Err(text) => json!({"error": text}),
             },
             Request::Observe(_) => json!({"observation": null}),
-            // A stop may arrive after the motion has ended.
-            Request::Stop => continue,
+            // They may arrive after the motion has ended.
+            Request::Stop | Request::Pause | Request::Resume => continue,
             Request::End => break,
             Request::Hello(_) | Request::Point(_) => json!({"error": "unexpected message"}),
             Request::Invalid(why) => json!({"error": format!("a line is no message: {why}")}),

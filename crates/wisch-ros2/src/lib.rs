@@ -16,6 +16,7 @@ mod guard;
 mod link;
 mod messages;
 mod motion;
+mod pace;
 mod ping;
 mod protocol;
 mod push_test;

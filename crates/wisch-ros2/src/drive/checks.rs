@@ -2,6 +2,7 @@
 
 use super::Driver;
 use crate::motion::{Part, WipingMotion, goal_bytes};
+use crate::pace::GoalPace;
 use crate::robot_file::ForceKind;
 use nalgebra::Vector3;
 use std::time::{Duration, Instant};
@@ -135,8 +136,9 @@ impl Driver {
             ));
         }
         for part in parts {
-            let begin = &motion.knots[part.knots[0]].positions;
-            let goal = motion.goal(part, begin, names, self.options.speed, 1.0);
+            let begin = &motion.knots[part.knots[0]];
+            let pace = GoalPace::from_rest(begin.time, self.options.speed);
+            let goal = motion.goal(part, &pace, &begin.positions, names, 1.0);
             let bytes = goal_bytes(&goal);
             if bytes > file.motion.most_bytes {
                 return Err(format!(

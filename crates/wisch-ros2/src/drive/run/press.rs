@@ -46,7 +46,7 @@ impl MotionRun<'_> {
                     format!("{name} refuses: {}", answer.message),
                 );
             }
-            self.pause(TARE_DELAY)?;
+            self.turn_for(TARE_DELAY)?;
         }
         let forces = self.measure_forces(TARE_MEASURE)?;
         let mean = forces.iter().sum::<Vector3<f64>>() / forces.len().max(1) as f64;
@@ -77,7 +77,8 @@ impl MotionRun<'_> {
         Ok(())
     }
 
-    fn pause(&mut self, time: Duration) -> Turned<()> {
+    /// Waits while samples are passed on.
+    fn turn_for(&mut self, time: Duration) -> Turned<()> {
         let end = Instant::now() + time;
         while Instant::now() < end {
             self.turn()?;
