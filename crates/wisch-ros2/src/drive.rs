@@ -1,6 +1,7 @@
 //! The executor: takes motions from wisch and lets the robot execute them.
 
 mod checks;
+mod hand_back;
 mod run;
 
 use crate::commissioning::Commissioning;
@@ -174,40 +175,12 @@ impl Driver {
         if self.activated.is_some() {
             return Ok(());
         }
-        let missing = self.inactive_controllers()?;
+        let missing = self.inactive_controllers(None)?;
         self.activated = Some(missing.clone());
         self.activate(missing).map_err(|text| match self.finish() {
             Ok(()) => text,
             Err(left) => format!("{text}; {left}"),
         })
-    }
-
-    /// Deactivates those controllers that were inactive before.
-    ///
-    /// # Errors
-    /// If the robot may still move, or the controller manager refuses.
-    fn finish(&mut self) -> Result<(), String> {
-        let Some(activated) = self.activated.take().filter(|names| !names.is_empty()) else {
-            return Ok(());
-        };
-        let inactive = self.inactive_controllers()?;
-        let activated: Vec<String> = (activated.into_iter())
-            .filter(|name| !inactive.contains(name))
-            .collect();
-        if activated.is_empty() {
-            return Ok(());
-        }
-        let speeds = self.connection.readings.lock().joints.clone();
-        let speeds = speeds.map(|joints| joints.velocities).unwrap_or_default();
-        let moves = speeds.iter().any(|speed| speed.abs() > checks::REST);
-        if !self.rests || moves {
-            let names = activated.join(", ");
-            return Err(format!(
-                "the robot has not confirmed that it rests, so {names} stay active"
-            ));
-        }
-        let deactivated = self.connection.manager.deactivate(activated);
-        deactivated.map_err(|error| error.to_string())
     }
 
     /// The measured positions and velocities.

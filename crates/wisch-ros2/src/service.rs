@@ -94,7 +94,7 @@ impl<Q: Message + Clone + 'static, A: Message + 'static> Service<Q, A> {
             if Instant::now() >= deadline {
                 let seconds = limit.as_secs_f64();
                 return Err(LinkError(format!(
-                    "service {} has not answered for {seconds} s",
+                    "service {} has not answered for {seconds:.1} s",
                     self.name
                 )));
             }

@@ -2,6 +2,7 @@
 
 use crate::fake::{ARM_BOARD, CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 use wisch::interpret::WrenchQuality;
 use wisch::run::{Ending, Executor, RunEvent, Stage};
 use wisch_sim::{WorkSurface, World};
@@ -191,6 +192,12 @@ fn controllers_that_cannot_be_handed_back_are_an_error() {
     let cell = Arc::clone(&session.planned_round().unwrap().cell);
     executor.prepare(&cell).unwrap();
     fake.kill();
+    let begin = Instant::now();
     let error = executor.finish().unwrap_err().to_string();
     assert!(error.contains("/controller_manager"), "{error}");
+    let names = "stay active: jtc, force_mode_controller.";
+    assert!(error.contains(names), "{error}");
+    // After an error, wisch waits for 2 s.
+    let elapsed = begin.elapsed();
+    assert!(elapsed < Duration::from_secs(2), "{elapsed:?}");
 }

@@ -22,10 +22,16 @@ impl Driver {
     /// Returns the names of the file's controllers that are inactive.
     ///
     /// # Errors
-    /// If the controller manager does not answer.
-    pub(super) fn inactive_controllers(&self) -> Result<Vec<String>, String> {
+    /// If the controller manager does not answer within `limit`, or else within the usual time.
+    pub(super) fn inactive_controllers(
+        &self,
+        limit: Option<Duration>,
+    ) -> Result<Vec<String>, String> {
         let connection = &self.connection;
-        let listed = connection.manager.list();
+        let listed = match limit {
+            Some(limit) => connection.manager.list_within(limit),
+            None => connection.manager.list(),
+        };
         let listed = listed.map_err(|error| error.to_string())?;
         let needed = connection.file.motion.controllers.iter();
         let is_active = |name: &String| {
@@ -49,7 +55,7 @@ impl Driver {
         activated.map_err(|error| error.to_string())?;
         let deadline = Instant::now() + ACTIVE_TIMEOUT;
         loop {
-            let missing = self.inactive_controllers()?;
+            let missing = self.inactive_controllers(None)?;
             if missing.is_empty() {
                 break;
             }
