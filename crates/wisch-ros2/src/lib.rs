@@ -13,6 +13,7 @@ mod fake;
 mod frames;
 mod goals;
 mod guard;
+mod jumps;
 mod link;
 mod messages;
 mod motion;

@@ -9,6 +9,7 @@ use super::checks::REST;
 use crate::connection::Connection;
 use crate::goals::{GoalRequest, GoalSender, TrajectoryAction};
 use crate::guard::LONGEST_SILENCE;
+use crate::jumps::JumpWatch;
 use crate::motion::{Part, WipingMotion, goal_bytes};
 use crate::pace::GoalPace;
 use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
@@ -74,6 +75,7 @@ pub(super) struct MotionRun<'a> {
     /// The latest joint state, and time of the latest sample [s].
     latest: JointReading,
     sample_time: f64,
+    jumps: JumpWatch,
     /// Force of the surroundings on the tool in the axes of the world, less the tare [N].
     force: Vector3<f64>,
     bias: Vector3<f64>,
@@ -129,6 +131,7 @@ impl<'a> MotionRun<'a> {
             began: (latest.stamp, latest.arrival),
             latest,
             sample_time: -1.0,
+            jumps: JumpWatch::new(robot.frames.velocity_limits()),
             force: Vector3::zeros(),
             bias: driver.tare.get().unwrap_or_default(),
             quality: WrenchQuality::Untared,
@@ -167,6 +170,9 @@ impl<'a> MotionRun<'a> {
 
     /// The content of `done`.
     pub fn finish(self, ending: &MotionEnding) -> Value {
+        if let Some(remark) = self.jumps.further() {
+            eprintln!("wisch-ros2: {remark}");
+        }
         let time = self.sample_time.max(0.0);
         json!({
             "duration_s": time,
@@ -402,6 +408,12 @@ impl<'a> MotionRun<'a> {
             None => Vector3::zeros(),
         };
         if joints.number != self.latest.number {
+            let states = [&self.latest, &joints];
+            let force = self.is_tared.then(|| self.force.norm());
+            let remark = (self.jumps).check(&self.robot.names, states, force, self.began.0);
+            if let Some(remark) = remark {
+                eprintln!("wisch-ros2: {remark}");
+            }
             self.latest = joints;
             self.advance(progress);
             self.report()?;
