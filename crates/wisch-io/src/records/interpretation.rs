@@ -318,7 +318,8 @@ fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, Strin
             let decisive = (interpretation.doubts.iter())
                 .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();
-            ("unknown", causes.join("; "))
+            let is_open = causes.is_empty();
+            ("unknown", if is_open { claim } else { causes.join("; ") })
         }
         Verdict::UnknowableByTouch => ("unknown", claim),
         _ => ("not met", claim),

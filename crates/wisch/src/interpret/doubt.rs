@@ -605,7 +605,9 @@ fn write_contradiction(
     [least, most]: [f64; 2],
     [fewest, all]: [f64; 2],
 ) -> fmt::Result {
-    let advice = if seen as f64 > all {
+    let advice = if (seen as f64) < least {
+        "the observation may be incomplete, or the tool wiped more than the log shows"
+    } else if seen as f64 > all {
         "more than there were believed to be before: check the number of particles of the task"
     } else {
         "the log may lack contact, or the tool has another effect than expected"

@@ -103,8 +103,15 @@ impl Interpretation {
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         if let Some(doubt) = contradiction {
+            // Of dirt that vanished where no tool was, some may have been overlooked.
+            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, left, .. }
+                if (*seen as f64) < left[0]);
             if doubt.is_decisive() {
                 self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            } else if is_too_clean {
+                self.distribution = self
+                    .distribution
+                    .or_unknown(UNKNOWN_SHARE, self.by_touch.low);
             }
             self.doubts.push(doubt);
         }

@@ -38,8 +38,8 @@ pub enum Verdict {
     NoWay,
     /// The motion for the next round fails its audit, and is not executed.
     UnsafeMotion,
-    /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. This is
-    /// neither success nor failure.
+    /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. Or an observation
+    /// neither shows nor excludes that the goal is met. This is neither success nor failure.
     Undecidable,
     /// The goal may be met or not: further wiping is expected to change nothing, and touch cannot decide. For a
     /// tool that hovers, touch never can.
@@ -149,10 +149,13 @@ pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
         Verdict::GoalMet
     } else if is_cut {
         Verdict::Undecidable
-    } else if !is_seen && interpretation.performance.high >= target {
-        Verdict::UnknowableByTouch
-    } else {
+    } else if interpretation.performance.high < target {
         Verdict::Again
+    } else if is_seen {
+        // Nothing shows that the goal is met, and nothing excludes it.
+        Verdict::Undecidable
+    } else {
+        Verdict::UnknowableByTouch
     }
 }
 

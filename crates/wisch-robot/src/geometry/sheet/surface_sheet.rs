@@ -14,7 +14,7 @@ use nalgebra::Matrix2;
 
 /// Share of the area that may be stretched beyond the limit [1].
 const STRETCHED_SHARE: f64 = 0.01;
-/// Share of the area stretched beyond the limit after a few rounds at which a patch is given up [1].
+/// Share of the area stretched beyond the limit after a few rounds at which a patch is abandoned [1].
 const HOPELESS_SHARE: f64 = 0.3;
 /// Weight of a triangle beyond the seams of a patch while the patch is unrolled, relative to one within it [1].
 const WEIGHT_BEYOND: f64 = 0.01;
