@@ -528,10 +528,13 @@ impl<'a> Reader<'a> {
         };
         let mimic = element(node, "mimic").map(mimic).transpose()?;
         let mut limit = element(node, "limit").map(limit).transpose()?;
+        let is_limited = matches!(kind.as_str(), "revolute" | "prismatic");
+        let assumed_limit = match (&mut limit, element(node, "limit")) {
+            (Some(limit), Some(stated)) if is_limited => assume_limit(limit, stated),
+            _ => None,
+        };
         let soft_limits = match (&mut limit, element(node, "safety_controller")) {
-            (Some(limit), Some(soft)) if matches!(kind.as_str(), "revolute" | "prismatic") => {
-                self.narrow(limit, soft)?
-            }
+            (Some(limit), Some(soft)) if is_limited => self.narrow(limit, soft)?,
             _ => None,
         };
         let joint = UrdfJoint {
@@ -543,6 +546,7 @@ impl<'a> Reader<'a> {
             axis: Vector3::from(axis),
             limit,
             soft_limits,
+            assumed_limit,
             name,
         };
         Ok((joint, mimic))
@@ -592,6 +596,23 @@ impl<'a> Reader<'a> {
             offset: self.number(node, "offset")?.unwrap_or(0.0),
             terms: elements(node, "term").map(term).collect::<Result<_, _>>()?,
         })
+    }
+}
+
+/// Sets a position limit that is absent beside the other one to 0, its default in the format, if that leaves a range;
+/// returns the name of its attribute.
+fn assume_limit(limit: &mut UrdfLimit, stated: Node) -> Option<&'static str> {
+    let is_absent = |attribute: &str| stated.attribute(attribute).is_none();
+    match (limit.lower, limit.upper) {
+        (None, Some(upper)) if upper > 0.0 && is_absent("lower") => {
+            limit.lower = Some(0.0);
+            Some("lower")
+        }
+        (Some(lower), None) if lower < 0.0 && is_absent("upper") => {
+            limit.upper = Some(0.0);
+            Some("upper")
+        }
+        _ => None,
     }
 }
 
