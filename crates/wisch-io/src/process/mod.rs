@@ -545,6 +545,9 @@ impl ProcessExecutor {
                 Ok(FromChild::Done(done)) => {
                     let dropped = self.child.backlog().dropped_count() - dropped_before;
                     intake.note_dropped(dropped);
+                    if progress.told.is_some() || self.is_interrupted() || watch.end() {
+                        intake.note_stop_request();
+                    }
                     return intake.done(done).map_err(|e| self.fault(e));
                 }
                 Ok(other) => return Err(self.unexpected("a sample", &other)),

@@ -111,7 +111,9 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
     }
     match &round.execution.ending {
         Ending::Complete => {}
-        Ending::Stopped => sentences.push("A user stopped the round.".to_owned()),
+        Ending::Stopped => {
+            sentences.push("The round was stopped on request, or by an error.".to_owned());
+        }
         Ending::Early { time, cause } => {
             sentences.push(format!("The round ended early at {time:.1} s: {cause}."));
         }

@@ -356,7 +356,9 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_observation.is_none() {
             self.observe_first(executor, observer)?;
         }
-        if let Some(state) = executor.state()? {
+        if let Some(state) = executor.state()?
+            && !state.positions.is_empty()
+        {
             self.set_positions(Some(state.positions));
         }
         if self.retreats && self.stands.is_none() {

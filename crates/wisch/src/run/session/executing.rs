@@ -133,7 +133,9 @@ impl Session<'_> {
         }
         if let Some(state) = executor.state()? {
             check_rest(&state, planned)?;
-            self.set_positions(Some(state.positions));
+            if !state.positions.is_empty() {
+                self.set_positions(Some(state.positions));
+            }
         }
         if let Some(stands) = &self.stands {
             check_start(stands, planned, self.config.start_tolerance)?;
