@@ -5,6 +5,7 @@ mod child;
 mod described;
 mod intake;
 mod message;
+mod observation;
 mod pause_switch;
 mod printable;
 mod progress;
@@ -12,9 +13,8 @@ mod status;
 
 pub use child::kill_executors;
 pub use described::DriverRobotRecord;
-pub use intake::{
-    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
-};
+pub use intake::{DoneRecord, EndingRecord, Intake, SampleRecord, StopKindRecord, WrenchAxes};
+pub use observation::ObservationRecord;
 pub use pause_switch::PauseSwitch;
 pub use status::{PauseRecord, ResumeRecord, StampClockRecord, WrenchQualityRecord};
 

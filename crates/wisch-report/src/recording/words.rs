@@ -107,7 +107,7 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
         sentences.push(format!("Detected events: {events}."));
     }
     for doubt in &found.doubts {
-        sentences.push(format!("{doubt}."));
+        sentences.push(format!("{}.", doubt.describe_for_executor()));
     }
     match &round.execution.ending {
         Ending::Complete => {}

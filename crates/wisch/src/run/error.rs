@@ -70,6 +70,20 @@ pub enum RunError {
         /// Number of the robot's variables.
         expected: usize,
     },
+    /// Most detections of the camera are far from the surface.
+    #[error(
+        "{count} of {of} detections of the camera are beside surface {surface:?}, up to {farthest:.3} m from its edge: their unit or frame is probably wrong; expected metres in the frame of the believed surface, without dirt on other objects"
+    )]
+    DetectionsElsewhere {
+        /// Name of the surface.
+        surface: String,
+        /// Number of these detections.
+        count: usize,
+        /// Number of all detections.
+        of: usize,
+        /// Largest distance of a detection from the surface's edge \[m\].
+        farthest: f64,
+    },
     /// The robot is not where its motion begins.
     #[error(
         "round {round}: joint {joint:?} is {distance:.3} {unit} from {place}, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}{}",
