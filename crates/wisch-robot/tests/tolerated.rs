@@ -122,6 +122,48 @@ fn what_is_tolerated_has_one_reading() {
 }
 
 #[test]
+fn angles_and_velocities_in_degrees_are_warnings() {
+    let sound = two_links(HINGE);
+    let axis = "<axis xyz=\"0 0 1\"/>";
+    for (from, to, expected) in [
+        (
+            axis,
+            "<axis xyz=\"0 0 1\"/><origin rpy=\"90 0 -90\"/>",
+            "its origin turns by rpy = 90 0 -90 rad",
+        ),
+        (
+            "<geometry>",
+            "<origin rpy=\"0 45 0\"/><geometry>",
+            "its origin turns by rpy = 0 45 0 rad",
+        ),
+        (
+            "velocity=\"1\"",
+            "velocity=\"180\"",
+            "its velocity limit is 180 rad/s",
+        ),
+    ] {
+        let found = found(&sound.replacen(from, to, 1));
+        assert_eq!(found.len(), 1, "{to}: {found:?}");
+        let kind = (found[0].severity, found[0].kind, found[0].value.as_str());
+        assert_eq!(kind, (Severity::Warning, DiagnosticKind::Units, expected));
+        assert!(
+            found[0].advice.contains("probably in degrees"),
+            "{}",
+            found[0]
+        );
+    }
+    for (from, to) in [
+        (
+            axis,
+            "<axis xyz=\"0 0 1\"/><origin rpy=\"6.2831853 0 -3.1416\"/>",
+        ),
+        ("velocity=\"1\"", "velocity=\"20\""),
+    ] {
+        assert_eq!(found(&sound.replacen(from, to, 1)), []);
+    }
+}
+
+#[test]
 fn a_position_limit_that_is_absent_beside_the_other_is_0() {
     let both = "lower=\"-1\" upper=\"1\"";
     for (stated, expected, told) in [

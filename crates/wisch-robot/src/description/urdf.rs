@@ -55,6 +55,8 @@ const XACRO_SOURCE: [&str; 8] = [
 ];
 /// Start of the names of xacro's elements in a text that does not declare its prefix, after the repair.
 const UNDECLARED_XACRO: &str = "xacro_";
+/// Largest usual angle of an origin [rad]: a full turn.
+const MOST_TURN: f64 = 6.3;
 /// Largest absolute number, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -384,11 +386,34 @@ impl<'a> Reader<'a> {
             return Ok(Pose::identity());
         };
         let [x, y, z] = self.numbers(origin, "xyz")?.unwrap_or_default();
-        let [roll, pitch, yaw] = self.numbers(origin, "rpy")?.unwrap_or_default();
+        let rpy: [f64; 3] = self.numbers(origin, "rpy")?.unwrap_or_default();
+        if rpy.iter().any(|angle| angle.abs() > MOST_TURN) {
+            self.warn_of_degrees(origin, rpy);
+        }
+        let [roll, pitch, yaw] = rpy;
         Ok(Pose::from_parts(
             Translation3::new(x, y, z),
             UnitQuaternion::from_euler_angles(roll, pitch, yaw),
         ))
+    }
+
+    /// Warns of an origin with angles above a full turn, of the joint or the link to which it belongs.
+    fn warn_of_degrees(&self, origin: Node, [roll, pitch, yaw]: [f64; 3]) {
+        let owner =
+            (origin.ancestors()).find(|node| matches!(node.tag_name().name(), "joint" | "link"));
+        let name = owner.and_then(|owner| owner.attribute("name"));
+        let name = name.unwrap_or_default().to_owned();
+        let subject = match owner {
+            Some(owner) if owner.tag_name().name() == "joint" => Subject::Joint(name),
+            Some(_) => Subject::Link(name),
+            None => Subject::Robot,
+        };
+        let w = words(
+            format!("its origin turns by rpy = {roll} {pitch} {yaw} rad"),
+            format!("each within {MOST_TURN} rad"),
+            "they are probably in degrees: multiply by 0.0174533",
+        );
+        self.warn_of(DiagnosticKind::Units, origin, subject, w);
     }
 
     fn link(&self, node: Node) -> Result<UrdfLink, RobotError> {
