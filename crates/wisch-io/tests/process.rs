@@ -421,6 +421,10 @@ fn what_a_child_sees_is_limited_and_said() {
             "1998 corners of hidden polygons exceed the limit of 1000",
         ),
         ("{'detections': [[0]]}", "invalid length 1"),
+        (
+            "{'detections': [[0, 0, 0]]}",
+            "is not a message of the protocol: trailing characters at column",
+        ),
     ] {
         let error = looking(seen).expect_err(seen).to_string();
         assert!(error.contains(expected), "{seen}: {error}");

@@ -311,6 +311,13 @@ fn line_fault(line: &str, error: &serde_json::Error) -> String {
     if error.is_data() {
         return format!("its line {shown} is not a message of the protocol: {words}");
     }
+    // An array with more numbers than expected is JSON, but no data error.
+    if serde_json::from_str::<serde::de::IgnoredAny>(line).is_ok() {
+        let column = error.column();
+        return format!(
+            "its line {shown} is not a message of the protocol: {words} at column {column}; expected arrays of the documented length"
+        );
+    }
     format!(
         "its line {shown} is not JSON from column {} on ({words}); expected one message per line, such as \
          {{\"ready\": {{\"version\": {EXECUTOR_PROTOCOL}}}}}, and any other text on standard error",
