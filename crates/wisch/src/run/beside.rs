@@ -6,13 +6,16 @@ use crate::interpret::Doubt;
 use crate::represent::{Observation, Surface};
 
 /// Largest distance beside the outline at which a detection counts as dirt at the edge [m]: the error of the surface's
-/// pose and of the camera.
+/// pose. A larger error of the camera extends it.
 const AT_EDGE: f64 = 0.03;
-/// The same in a first observation without a detection on the surface [m]: the error of the camera.
+/// The same in a first observation without a detection on the surface [m].
 const ALL_AT_EDGE: f64 = 0.01;
+/// Largest usual error of a detection, in standard deviations [1].
+const DEVIATIONS: f64 = 5.0;
 
-/// Returns an observation without the detections beside the surface, and a remark on them if there are any. `is_first`:
-/// whether it precedes the first round, so that most of the dirt is on the surface.
+/// Returns an observation without the detections beside the surface, and a remark on them if there are any. `error`:
+/// standard deviation of a detection's position [m]. `is_first`: whether the observation precedes the first round, so that
+/// most of the dirt is on the surface.
 ///
 /// # Errors
 /// If most detections of a first observation are beside the surface, or most of a later one are farther from it than it
@@ -20,6 +23,7 @@ const ALL_AT_EDGE: f64 = 0.01;
 pub(super) fn keep_on_surface(
     mut observation: Observation,
     surface: &Surface,
+    error: f64,
     is_first: bool,
 ) -> Result<(Observation, Option<Doubt>), RunError> {
     let outline = &surface.outline;
@@ -33,11 +37,12 @@ pub(super) fn keep_on_surface(
     let distances: Vec<f64> = observation.detections.iter().map(distance).collect();
     let beyond = |limit: f64| distances.iter().filter(|off| **off > limit).count();
     let of = distances.len();
-    let most = if is_first && beyond(0.0) == of {
+    let at_edge = if is_first && beyond(0.0) == of {
         ALL_AT_EDGE
     } else {
         AT_EDGE
     };
+    let most = at_edge.max(DEVIATIONS * error);
     let left_out = beyond(most);
     if left_out == 0 {
         return Ok((observation, None));
@@ -78,7 +83,7 @@ mod tests {
             detections: places.iter().copied().map(Point2::from).collect(),
             ..Observation::default()
         };
-        let kept = keep_on_surface(seen, &surface, is_first);
+        let kept = keep_on_surface(seen, &surface, 2e-3, is_first);
         kept.map(|(seen, doubt)| (seen.detections.len(), doubt))
     }
 

@@ -396,7 +396,9 @@ impl<'a> Session<'a> {
             self.first_observation = Some(None);
             return Ok(());
         };
-        let (observation, beside) = keep_on_surface(observation, &self.task.surface, true)?;
+        let error = (self.config.sight).map_or(0.0, |sight| sight.sensor.position_error_m);
+        let surface = &self.task.surface;
+        let (observation, beside) = keep_on_surface(observation, surface, error, true)?;
         self.doubts.extend(beside);
         let _ = observer(&RunEvent::Observed {
             round: 0,
@@ -568,7 +570,8 @@ impl<'a> Session<'a> {
         let sight = self.config.sight.filter(|_| self.failure.is_none());
         let seen = sight.map(|_| executor.observe(&planned.task)).transpose();
         let kept = seen.map_err(RunError::from).and_then(|seen| {
-            let keep = |seen| keep_on_surface(seen, &planned.task.surface, false);
+            let error = sight.map_or(0.0, |sight| sight.sensor.position_error_m);
+            let keep = |seen| keep_on_surface(seen, &planned.task.surface, error, false);
             seen.flatten().map(keep).transpose()
         });
         let (seen, beside) = match kept {
