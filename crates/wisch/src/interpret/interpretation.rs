@@ -95,6 +95,15 @@ impl Interpretation {
         self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
     }
 
+    /// Adds a doubt about the data of the log. With a decisive one, the performance may be another one.
+    pub fn add_doubt(&mut self, doubt: Doubt) {
+        if doubt.is_decisive() {
+            self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            self.performance = self.distribution.estimate();
+        }
+        self.doubts.push(doubt);
+    }
+
     /// Updates belief and performance by an observation of the surface after the log. If the log and the belief before it
     /// contradict the number of grains observed, that is a [`Doubt`].
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
