@@ -308,6 +308,36 @@ fn a_tool_that_presses_beside_its_origin_is_reported() {
 }
 
 #[test]
+fn a_tool_whose_underside_is_off_its_contact_plane_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    // The lowest point lies at -25 mm, and in turn at 0, 20 and 0.9 mm.
+    let pad = Mesh::cuboid(Vector3::new(0.06, 0.10, 0.05)).unwrap();
+    let check = |raised: f64| {
+        let mesh = pad.transform(&Pose::translation(0.0, 0.0, raised));
+        check_of_mesh(folder.path(), &mesh).2
+    };
+    for raised in [0.025, 0.0259, 0.0241] {
+        let error = check(raised);
+        assert!(!error.contains("the lowest point of its mesh"), "{error}");
+    }
+    for (raised, expected) in [
+        (
+            0.045,
+            "tool \"pad\": the lowest point of its mesh lies 20.0 mm above z = 0 of the file, where at most 1.0 mm are expected",
+        ),
+        (0.045, "the tool stays 20.0 mm above the surface"),
+        (
+            0.0,
+            "the lowest point of its mesh lies 25.0 mm below z = 0 of the file",
+        ),
+        (0.0, "the tool is pressed 25.0 mm too deep"),
+    ] {
+        let error = check(raised);
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+#[test]
 fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let folder = folder_with("polish-plate.toml");
     let check = |settings: &[&str]| {

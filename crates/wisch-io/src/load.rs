@@ -8,7 +8,7 @@ use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
 use crate::task_file::{
-    Intent, TaskFile, points_remark, surface_remarks, tool_remark, unit_remarks,
+    Intent, TaskFile, points_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
 };
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -317,6 +317,7 @@ pub fn parse_task(
     });
     assumptions.extend(surface_remarks(&task));
     assumptions.extend(tool_remark(&task));
+    assumptions.extend(underside_remark(&task));
     assumptions.extend(points_remark(&task));
     assumptions.extend(unit_remarks(&task));
     let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;

@@ -19,7 +19,9 @@ mod values;
 
 pub use error::TaskError;
 pub use resolve::ReadFile;
-pub(crate) use resolve::{points_remark, surface_remarks, tool_remark, unit_remarks};
+pub(crate) use resolve::{
+    points_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
+};
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;

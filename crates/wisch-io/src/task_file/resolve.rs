@@ -30,6 +30,9 @@ const MAX_FILM: usize = 50_000;
 /// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
 /// the tool's collision sphere [1].
 const BESIDE_CENTRE: f64 = 0.25;
+/// Distance of a tool's underside from z = 0 of its frame above which a remark is made: at least this [m], and this share of
+/// the tool's compression [1].
+const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -484,6 +487,37 @@ pub(crate) fn tool_remark(task: &Task) -> Option<String> {
             1e3 * tool.collision_radius()
         )
     })
+}
+
+/// Returns a remark on a tool whose mesh does not begin at z = 0 of its frame, which poses in contact hold on the surface.
+pub(crate) fn underside_remark(task: &Task) -> Option<String> {
+    let (tool, interaction) = (&task.tool, &task.interaction);
+    let (low, _) = tool.mesh.bounds();
+    // The mesh of a tool that hovers is raised by its gap.
+    let offset = low.z - interaction.gap_m;
+    let [least, share] = OFF_CONTACT_PLANE;
+    let limit = least.max(share * interaction.compression_depth_m);
+    if offset.abs() <= limit {
+        return None;
+    }
+    let (off, limit) = (1e3 * offset.abs(), 1e3 * limit);
+    let (side, consequence) = if offset > 0.0 {
+        (
+            "above",
+            format!("the tool stays {off:.1} mm above the surface"),
+        )
+    } else {
+        (
+            "below",
+            format!(
+                "the tool is pressed {off:.1} mm too deep, and the robot may avoid the surface as an obstacle"
+            ),
+        )
+    };
+    Some(format!(
+        "tool {:?}: the lowest point of its mesh lies {off:.1} mm {side} z = 0 of the file, where at most {limit:.1} mm are expected. Poses hold z = 0 at the contact plane, so {consequence}: move the mesh in the file until its underside lies at z = 0",
+        tool.name
+    ))
 }
 
 /// Returns a remark on points of a treated surface that are so few that the tool passes between them.
