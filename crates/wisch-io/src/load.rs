@@ -8,7 +8,8 @@ use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
 use crate::task_file::{
-    Intent, TaskFile, points_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
+    Intent, TaskFile, points_remark, smoothing_remark, surface_remarks, tool_remark,
+    underside_remark, unit_remarks,
 };
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -316,6 +317,7 @@ pub fn parse_task(
         None => gravity_remark(&task, &knowledge),
     });
     assumptions.extend(surface_remarks(&task));
+    assumptions.extend(smoothing_remark(&task));
     assumptions.extend(tool_remark(&task));
     assumptions.extend(underside_remark(&task));
     assumptions.extend(points_remark(&task));

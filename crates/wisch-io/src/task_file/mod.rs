@@ -20,7 +20,7 @@ mod values;
 pub use error::TaskError;
 pub use resolve::ReadFile;
 pub(crate) use resolve::{
-    points_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
+    points_remark, smoothing_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
 };
 
 use crate::particles::ParticleSource;

@@ -5,7 +5,7 @@ use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch::geometry::{
     Atlas, Bounds2, LikelyUnit, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose,
-    RIGID_DEPTH, Region, SheetConfig, SheetError, Vector2, Vector3, footprint,
+    RIGID_DEPTH, Region, Sheet, SheetConfig, SheetError, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, DirtMobility, Interaction, KnowledgeBase, MeshShape, Mount,
@@ -471,6 +471,26 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
         ));
     }
     remarks
+}
+
+/// Returns a remark on a mesh of whose shape smoothing removed more than the tool makes up for.
+pub(crate) fn smoothing_remark(task: &Task) -> Option<String> {
+    let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
+        return None;
+    };
+    let (sheet, depth) = (mesh.sheet(), task.interaction.compression_depth_m);
+    let at = sheet.smoothed_at();
+    sheet.is_smoothed_beyond(depth).then(|| {
+        format!(
+            "surface {:?}: smoothing to the scale of the tool moved its mesh by up to {:.1} mm, at ({:.3}, {:.3}, {:.3}) m of the file; the tool makes up for {:.1} mm. Plan, prediction, estimate and simulation take the smoothed surface: contact with the grooves or ridges of the mesh is not predicted, and the true performance may be lower. Take a smaller or softer tool, or remove these shapes from the mesh",
+            task.surface.name,
+            1e3 * sheet.smoothed_by(),
+            at.x,
+            at.y,
+            at.z,
+            1e3 * Sheet::limit_smoothing(depth)
+        )
+    })
 }
 
 /// Returns a remark on a tool whose contact area has its middle beside the tool centre point.

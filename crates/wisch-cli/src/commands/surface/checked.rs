@@ -120,11 +120,21 @@ pub(super) fn remark_on_smoothing(
     config: &SheetConfig,
 ) -> Option<String> {
     let smoothed = sheet.smoothed_by();
-    (smoothed > NOTICED_SMOOTHING * args.compression_depth_m).then(|| {
+    let is_beyond = sheet.is_smoothed_beyond(args.compression_depth_m);
+    (is_beyond || smoothed > NOTICED_SMOOTHING * args.compression_depth_m).then(|| {
+        let consequence = if is_beyond {
+            "; that is more than its compression, and contact with these shapes is not predicted"
+        } else {
+            ""
+        };
+        let at = sheet.smoothed_at();
         format!(
-            "smoothing to the scale of the tool moved the surface by up to {:.1} mm: the mesh has shapes that a tool of \
-             {:.3} m radius does not follow",
+            "smoothing to the scale of the tool moved the surface by up to {:.1} mm, at ({:.3}, {:.3}, {:.3}) m: the mesh has shapes that a tool of \
+             {:.3} m radius does not follow{consequence}",
             1e3 * smoothed,
+            at.x,
+            at.y,
+            at.z,
             config.tool_radius
         )
     })
