@@ -438,8 +438,13 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     let (name, survey) = (&task.surface.name, mesh.sheet().survey());
     let mut remarks = Vec::new();
     if let Some(patch) = mesh.patch() {
+        let seams = if task.action.treats() {
+            "strokes reach over the seams, where passes and coats on the other patches are not counted"
+        } else {
+            "dirt that is pushed over a seam counts as lost"
+        };
         remarks.push(format!(
-            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and dirt that is pushed over a seam counts as lost",
+            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and {seams}",
             patch.index + 1,
             patch.areas().count(),
             mesh.sheet().area(),
