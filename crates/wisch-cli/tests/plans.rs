@@ -417,6 +417,10 @@ fn more_passes_than_the_maximum_are_reported() {
     let again = strokes.clone();
     strokes.extend(again);
     fs::write(folder.path().join("twice.json"), plan.to_string()).unwrap();
-    let (_, text, _) = plate(&["predict", "--plan", "twice.json", "--out", "twice"]);
+    let (code, text, _) = plate(&["predict", "--plan", "twice.json", "--out", "twice"]);
     assert!(share_above(&text) > 90.0, "{text}");
+    // The goal is not met where more points than the target leaves have too many passes.
+    assert_eq!(code, 1, "{text}");
+    let expected = "not met: too many points above max_passes";
+    assert!(text.contains(expected), "{text}");
 }

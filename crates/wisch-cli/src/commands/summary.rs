@@ -129,8 +129,13 @@ fn performance_in_words(
     prediction: &PredictionSummary,
     rounds: &[FinishedRound],
 ) -> String {
-    let verdict = match goal_of(rounds, prediction.target_performance) {
+    let target = prediction.target_performance;
+    let above = (summary.treatment).and_then(|treatment| treatment.share_above_max_passes);
+    let verdict = match goal_of(rounds, target) {
         Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+        _ if !prediction.goal_met && above.is_some_and(|above| above > 1.0 - target) => {
+            "not met: too many points above max_passes"
+        }
         _ => prediction.goal,
     };
     let (word, performance) = match &summary.execution {
@@ -149,7 +154,7 @@ fn performance_in_words(
         "{word} {} of {} {what} (target {}: {verdict})",
         percent(performance),
         summary.particles,
-        percent(prediction.target_performance),
+        percent(target),
     )
 }
 
