@@ -338,6 +338,54 @@ fn a_tool_whose_underside_is_off_its_contact_plane_is_reported() {
 }
 
 #[test]
+fn the_footprint_of_a_mesh_in_millimetres_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let footprint = |scale: f64| {
+        let pad = Mesh::cuboid(Vector3::new(70.0, 110.0, 50.0) * scale).unwrap();
+        fs::write(folder.path().join("pad.stl"), pad.to_binary_stl()).unwrap();
+        let words = ["footprint", "pad.stl", "--compression-depth-m", "0.005"];
+        wisch(folder.path(), &words)
+    };
+    let (code, out, error) = footprint(1.0);
+    assert_eq!((code, out.as_str()), (2, ""), "{error}");
+    let expected = "pad.stl: the mesh is 110 m long, expected 0.005 m to 3 m: it is probably in millimetres: multiply by 0.001";
+    assert!(error.contains(expected), "{error}");
+    let (code, out, error) = footprint(0.001);
+    assert_eq!(code, 0, "{error}");
+    assert!(
+        out.contains("the lowest point of the mesh lies at z = -25.0 mm"),
+        "{out}"
+    );
+}
+
+#[test]
+fn an_axis_of_a_dae_file_that_is_not_applied_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    let dae = |axis: &str| {
+        format!(
+            r##"<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="metre" meter="1"/><up_axis>{axis}</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="12">0 0 0 0.1 0 0 0 0.1 0 0 0 0.1</float_array>
+<technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>
+</mesh></geometry></library_geometries></COLLADA>"##
+        )
+    };
+    for (axis, is_noted) in [("Y_UP", true), ("Z_UP", false)] {
+        fs::write(folder.path().join("pad.dae"), dae(axis)).unwrap();
+        let settings = ["tool.name=pad", "tool.mesh=pad.dae"];
+        let words = ["check", "task.toml", "--robot", "none"];
+        let words = [&words[..], &["--set", settings[0], "--set", settings[1]]].concat();
+        let (_, _, error) = wisch(folder.path(), &words);
+        let expected = "note: mesh \"pad.dae\": <up_axis> is Y_UP, which is not applied";
+        assert_eq!(error.contains(expected), is_noted, "{error}");
+    }
+}
+
+#[test]
 fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let folder = folder_with("polish-plate.toml");
     let check = |settings: &[&str]| {

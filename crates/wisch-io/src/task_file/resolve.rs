@@ -514,18 +514,48 @@ pub(crate) fn tool_remark(task: &Task) -> Option<String> {
     })
 }
 
+/// Largest distance of a tool's underside from z = 0 of its frame that needs no remark [m].
+fn limit_underside(compression_depth: f64) -> f64 {
+    let [least, share] = OFF_CONTACT_PLANE;
+    least.max(share * compression_depth)
+}
+
+/// Returns the height of the lowest point of a tool's mesh over z = 0 of its file \[m\], if it is farther from there than 1 mm and
+/// than a tenth of the compression \[m\]; `None` for a mesh that lies as it should.
+///
+/// `gap`: by how much the mesh was raised, for a tool that hovers \[m\].
+pub fn find_underside_offset(mesh: &Mesh, gap: f64, compression_depth: f64) -> Option<f64> {
+    let (low, _) = mesh.bounds();
+    let offset = low.z - gap;
+    (offset.abs() > limit_underside(compression_depth)).then_some(offset)
+}
+
+/// Whether the longest side of a tool's mesh is within the limits of tasks, 5 mm to 3 m.
+///
+/// # Errors
+/// If it is not: the length, the limits, and the unit in which the mesh probably is.
+pub fn check_tool_extent(mesh: &Mesh) -> Result<(), String> {
+    let [least, most] = TOOL_EXTENT;
+    let extent = mesh.extent();
+    if (least..=most).contains(&extent) {
+        return Ok(());
+    }
+    let unit = LikelyUnit::guess(extent, USUAL_TOOL, most);
+    let advice = unit.map_or("correct its scale".to_owned(), |unit| {
+        format!("{unit}; save the mesh in metres")
+    });
+    Err(format!(
+        "the mesh is {} m long, expected {least} m to {most} m: {advice}",
+        rounded(extent)
+    ))
+}
+
 /// Returns a remark on a tool whose mesh does not begin at z = 0 of its frame, which poses in contact hold on the surface.
 pub(crate) fn underside_remark(task: &Task) -> Option<String> {
     let (tool, interaction) = (&task.tool, &task.interaction);
-    let (low, _) = tool.mesh.bounds();
-    // The mesh of a tool that hovers is raised by its gap.
-    let offset = low.z - interaction.gap_m;
-    let [least, share] = OFF_CONTACT_PLANE;
-    let limit = least.max(share * interaction.compression_depth_m);
-    if offset.abs() <= limit {
-        return None;
-    }
-    let (off, limit) = (1e3 * offset.abs(), 1e3 * limit);
+    let (gap, depth) = (interaction.gap_m, interaction.compression_depth_m);
+    let offset = find_underside_offset(&tool.mesh, gap, depth)?;
+    let (off, limit) = (1e3 * offset.abs(), 1e3 * limit_underside(depth));
     let (side, consequence) = if offset > 0.0 {
         (
             "above",

@@ -7,7 +7,7 @@ use std::path::Path;
 use wisch::geometry::{
     LikelyUnit, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError, Vector3,
 };
-use wisch_io::read;
+use wisch_io::{read, up_axis_remark};
 
 /// Usual lengths of a surface that is wiped [m]; a mesh outside them is probably in another unit.
 const USUAL_EXTENT: [f64; 2] = [0.02, 20.0];
@@ -46,7 +46,8 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
             MeshFormat::EXTENSIONS
         ))
     })?;
-    let mesh = Mesh::parse(&read(&args.file)?, format, &name).map_err(Failure::new)?;
+    let bytes = read(&args.file)?;
+    let mesh = Mesh::parse(&bytes, format, &name).map_err(Failure::new)?;
     let scaled = mesh.vertices().iter().map(|p| p * args.scale).collect();
     let mesh = Mesh::new(scaled, mesh.triangles().to_vec())
         .map_err(|error| Failure::new(format!("{name}, scaled by {}: {error}", args.scale)))?;
@@ -61,7 +62,7 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
         },
         stretch_limit: args.stretch_limit,
     };
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = up_axis_remark(&name, &bytes).into_iter().collect();
     let [least, most] = USUAL_EXTENT;
     if let Some(unit) = LikelyUnit::guess(mesh.extent(), least, most) {
         notes.push(format!(
