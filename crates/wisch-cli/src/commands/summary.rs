@@ -250,7 +250,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         mean_depth_m,
     } = treatment;
     let mut passes =
-        format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the surface");
+        format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the points");
     if let (Some(most), Some(above)) = (max_passes, share_above_max_passes)
         && *above > 0.0
     {

@@ -33,6 +33,8 @@ const BESIDE_CENTRE: f64 = 0.25;
 /// Distance of a tool's underside from z = 0 of its frame above which a remark is made: at least this [m], and this share of
 /// the tool's compression [1].
 const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
+/// Distance of the points of a treated surface above which a remark is made, over the width of the tool [1].
+const WIDEST_SPACING: f64 = 0.25;
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -575,15 +577,18 @@ pub(crate) fn underside_remark(task: &Task) -> Option<String> {
     ))
 }
 
-/// Returns a remark on points of a treated surface that are so few that the tool passes between them.
+/// Returns a remark on points of a treated surface that are so few that the tool passes between them, or along a border.
 pub(crate) fn points_remark(task: &Task) -> Option<String> {
-    let size = task.tool.footprint.bounds()?.size();
+    let width = task.tool.footprint.bounds()?.size().min();
     let count = task.particles.len();
-    let spacing = (task.surface.outline.area() / count.max(1) as f64).sqrt();
-    (task.action.treats() && spacing > size.min() / 2.0).then(|| {
+    let area = task.surface.outline.area();
+    let spacing = (area / count.max(1) as f64).sqrt();
+    let limit = WIDEST_SPACING * width;
+    (task.action.treats() && spacing > limit).then(|| {
         format!(
-            "the performance is that of {count} points, which lie {spacing:.3} m apart; the tool is {:.3} m wide, so they say little of the surface between them: increase particles.count",
-            size.min()
+            "the performance is that of {count} points, which lie {spacing:.3} m apart, and not of the surface between them: lanes follow the points, so that strips of up to {:.3} m along the borders may stay untreated. The tool is {width:.3} m wide: set particles.count to at least {:.0}",
+            0.5 * spacing,
+            (area / (limit * limit)).ceil()
         )
     })
 }
