@@ -170,6 +170,10 @@ pub(super) fn in_words(
             "performance",
             performance_in_words(summary, prediction, rounds),
         ));
+        if let Some(following) = &summary.following {
+            let first = following.first_fault.as_deref();
+            lines.extend(faults_in_words(following.faults, first));
+        }
         lines.extend(rounds_in_words(rounds, prediction.target_performance));
         if summary.execution.is_some() {
             let predicted = percent(prediction.predicted_performance);
@@ -326,17 +330,27 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
             ),
         ));
     }
-    if following.faults > 0 {
-        let faults = counted(following.faults, "fault");
-        lines.push((
-            "faults",
-            format!(
-                "{faults}, see {}",
-                path_in_results(FOLLOWING_FILE).display()
-            ),
-        ));
-    }
     lines
+}
+
+/// The verdict on a motion with faults, and the first of them; nothing for a motion without a fault.
+fn faults_in_words(count: usize, first: Option<&str>) -> Vec<(&'static str, String)> {
+    let Some(first) = first else {
+        return Vec::new();
+    };
+    let verdict = Verdict::UnsafeMotion.as_str();
+    let faults = counted(count, "fault");
+    let file = path_in_results(FOLLOWING_FILE);
+    vec![
+        (
+            "verdict",
+            format!("{verdict}: the audit found {faults}, so the motion is not executed"),
+        ),
+        (
+            "first fault",
+            format!("{first}; all faults are in {}", file.display()),
+        ),
+    ]
 }
 
 /// The motion of the robot in the summary for people.
@@ -370,4 +384,23 @@ fn motion_in_words(following: &FollowingSummary, in_rounds: &str) -> [(&'static 
             ),
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::faults_in_words;
+
+    #[test]
+    fn a_motion_with_faults_has_a_verdict_and_names_the_first() {
+        assert!(faults_in_words(0, None).is_empty());
+        let lines = faults_in_words(2, Some("at 1.000 s: the tool leans"));
+        let expected = "unsafe motion: the audit found 2 faults, so the motion is not executed";
+        assert_eq!(lines[0], ("verdict", expected.to_owned()));
+        let (name, fault) = &lines[1];
+        assert_eq!(*name, "first fault");
+        assert!(
+            fault.starts_with("at 1.000 s: the tool leans; all faults are in "),
+            "{fault}"
+        );
+    }
 }
