@@ -284,6 +284,10 @@ fn a_liquid_of_a_declared_viscosity_runs_down_a_leaning_board() {
         ),
         (&thick, "; waves carry part of a film thicker than 0.26"),
         (
+            &[&thin[..], &["medium.adhering_thickness_m=0.0002"]].concat(),
+            "gravity: chalk adheres to the surface, which leans by 29°: a film of 0.100 mm is not thicker than the 0.200 mm",
+        ),
+        (
             &[],
             "by 29°; declare medium.viscosity_pa_s and medium.volume_m3 to let it run down",
         ),

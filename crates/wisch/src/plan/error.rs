@@ -31,7 +31,7 @@ pub enum PlanError {
     },
     /// A coat thinner than half of what one pass leaves.
     #[error(
-        "one pass leaves {:.4} mm, more than twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
+        "one pass leaves {:.4} mm, at least twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
         1e3 * per_pass,
         1e3 * thickness
     )]
