@@ -133,7 +133,7 @@ fn performance_in_words(
     let above = (summary.treatment).and_then(|treatment| treatment.share_above_max_passes);
     let verdict = match goal_of(rounds, target) {
         Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
-        _ if !prediction.goal_met && above.is_some_and(|above| above > 1.0 - target) => {
+        _ if prediction.goal == "not met" && above.is_some_and(|above| above > 1.0 - target) => {
             "not met: too many points above max_passes"
         }
         _ => prediction.goal,
