@@ -149,6 +149,9 @@ fn describe_verdict(round: &Round, target: f64) -> String {
         Verdict::NoProgress => {
             format!("The goal is not met ({claim}), and this round did not raise the estimate.")
         }
+        Verdict::NothingToGain if claim.holds() => format!(
+            "The goal is not met: {claim}, but too many points have more passes than the task allows."
+        ),
         Verdict::NothingToGain => format!(
             "The goal is not met ({claim}), and no plan is predicted to improve it: the remaining dirt has left the surface, or would leave it."
         ),

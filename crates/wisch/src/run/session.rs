@@ -13,7 +13,8 @@ use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow,
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
 use crate::plan::{Plan, predict};
 use crate::recover::{
-    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, next_task,
+    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, limit_by_max_passes,
+    next_task,
 };
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
@@ -620,6 +621,8 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
+        let verdict =
+            limit_by_max_passes(verdict, task, &interpretation.belief, self.config.target);
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
             Ending::ProtectiveStop { cause, .. } => {

@@ -3,7 +3,7 @@
 use super::checked::{ReadMesh, advise, read_mesh, remark_on_smoothing};
 use super::measures::{Measures, PlacedValue};
 use super::record::{StretchRecord, ToolRecord, stretch_record};
-use super::report::{describe_chart, describe_part, place};
+use super::report::{describe_chart, describe_part, place, touched_area};
 use super::{check_name_of_picture, draw_chart, write};
 use crate::args::{GlobalArgs, SurfaceMeshArgs, SurfaceSplitArgs};
 use crate::commands::words::{counted, internal, percent};
@@ -199,8 +199,9 @@ impl SplitMesh<'_> {
             line(
                 "",
                 &format!(
-                    "the tool touches {} of the area with its whole footprint",
-                    percent(measures.touched_share)
+                    "the tool touches {} of {} with its whole footprint",
+                    percent(measures.touched_share),
+                    touched_area(chart, self.args.compression_depth_m)
                 ),
             );
             let with = |&[one, two]: &[usize; 2]| match (one == index, two == index) {
