@@ -7,6 +7,7 @@
 
 mod audit;
 mod config;
+mod digits;
 mod error;
 mod follower;
 mod motion;
