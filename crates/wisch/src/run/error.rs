@@ -86,7 +86,7 @@ pub enum RunError {
     },
     /// The robot is not where its motion begins.
     #[error(
-        "round {round}: joint {joint:?} is {distance:.3} {unit} from {place}, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}{}",
+        "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}{}",
         describe_end_before(*round)
     )]
     Start {
@@ -105,7 +105,7 @@ pub enum RunError {
     },
     /// The first sample of a motion shows the robot elsewhere than at its start, or on its way until then.
     #[error(
-        "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
+        "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from {place}, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
     )]
     StartsElsewhere {
         /// The round, from 1.
