@@ -89,6 +89,8 @@ fn a_robot_that_is_moved_during_a_pause_does_not_continue() {
             begin_pause(fake, &switch);
             std::thread::sleep(Duration::from_millis(1500));
             fake.command("move 2 0.05");
+            std::thread::sleep(Duration::from_secs(3));
+            switch.toggle();
         });
         execute_round(&mut executor)
     });
