@@ -1,7 +1,7 @@
 //! Reasons why a plan cannot be followed at all. Nodes out of reach are no error but part of the result.
 
 use super::TimingError;
-use super::digits::apart_from;
+use crate::digits::apart_from;
 use crate::geometry::MeshError;
 use crate::robot::RobotError;
 use crate::source_location::UnknownName;

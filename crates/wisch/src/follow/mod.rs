@@ -7,7 +7,6 @@
 
 mod audit;
 mod config;
-mod digits;
 mod error;
 mod follower;
 mod motion;

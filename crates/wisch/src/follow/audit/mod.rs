@@ -16,7 +16,7 @@ pub use wisch_robot::timing::{
     MotionEnd, RateKind, TrajectoryCheckConfig, TrajectoryFault, trajectory_faults,
 };
 
-use crate::follow::digits::apart_from;
+use crate::digits::apart_from;
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,
     JointLimits, JointPath, LEAN_TOLERANCE, LineDeviation, Motion, Phase, Trajectory,

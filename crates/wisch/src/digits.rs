@@ -5,7 +5,7 @@ const MOST: usize = 12;
 
 /// Formats a number with at least `decimals` decimals, and with more where it would read as its limit or as on the other side
 /// of it.
-pub(super) fn apart_from(limit: f64, number: f64, decimals: usize) -> String {
+pub(crate) fn apart_from(limit: f64, number: f64, decimals: usize) -> String {
     let is_apart = |text: &String| {
         let shown = text.parse::<f64>();
         shown.is_ok_and(|shown| (shown < limit) == (number < limit) && shown != limit)
