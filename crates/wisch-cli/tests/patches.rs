@@ -44,6 +44,13 @@ fn a_task_over_all_patches_is_one_result() {
     assert_eq!(all["particles"], particles);
     let performance = all["predicted_performance"].as_f64().unwrap();
     assert!(performance > 0.97, "{performance}");
+    // Strokes reach over the seam, and no patch counts those of its neighbour.
+    let note = all["seam_note"].as_str().unwrap();
+    assert!(
+        note.contains("strokes of neighbouring patches overlap at seams"),
+        "{note}"
+    );
+    assert!(err.contains("strokes reach over the seams"), "{err}");
     let page = fs::read_to_string(folder.path().join("all/report.html")).unwrap();
     for (number, patch) in (1..).zip(patches) {
         assert_eq!(patch["task"], format!("saddle-patch-{number}"));
@@ -118,6 +125,21 @@ fn what_is_for_one_patch_is_refused_for_all() {
     refused(
         &["predict", "saddle.toml", "--set", "surface.mesh.patch=3"],
         "there is no patch 3: the mesh has 2 patches",
+    );
+    refused(
+        &[
+            "predict",
+            "saddle.toml",
+            "--action",
+            "dispense",
+            "--set",
+            "medium.name=paint",
+            "--set",
+            "tool={ name = \"roller\", footprint_m = [0.07, 0.11], height_m = 0.05 }",
+            "--set",
+            "dispense={ thickness_m = 0.0001, volume_m3_per_m = 0.000011 }",
+        ],
+        "surface.mesh.patch = \"all\" does not work with the action dispense",
     );
     fs::write(folder.path().join("places.csv"), "x_m,y_m\n0,0\n").unwrap();
     refused(

@@ -284,6 +284,10 @@ fn a_liquid_of_a_declared_viscosity_runs_down_a_leaning_board() {
         ),
         (&thick, "; waves carry part of a film thicker than 0.26"),
         (
+            &[&thin[..], &["medium.adhering_thickness_m=0.0002"]].concat(),
+            "gravity: chalk adheres to the surface, which leans by 29°: a film of 0.100 mm is not thicker than the 0.200 mm",
+        ),
+        (
             &[],
             "by 29°; declare medium.viscosity_pa_s and medium.volume_m3 to let it run down",
         ),
@@ -417,6 +421,10 @@ fn more_passes_than_the_maximum_are_reported() {
     let again = strokes.clone();
     strokes.extend(again);
     fs::write(folder.path().join("twice.json"), plan.to_string()).unwrap();
-    let (_, text, _) = plate(&["predict", "--plan", "twice.json", "--out", "twice"]);
+    let (code, text, _) = plate(&["predict", "--plan", "twice.json", "--out", "twice"]);
     assert!(share_above(&text) > 90.0, "{text}");
+    // The goal is not met where more points than the target leaves have too many passes.
+    assert_eq!(code, 1, "{text}");
+    let expected = "not met: too many points above max_passes";
+    assert!(text.contains(expected), "{text}");
 }

@@ -72,6 +72,47 @@ fn a_door_is_usable_and_drawn() {
 }
 
 #[test]
+fn a_mesh_with_deep_ripples_is_not_touched_everywhere() {
+    let folder = tempfile::tempdir().unwrap();
+    // Ripples of ±6 mm with a pitch of 0.1 m, finer than the tool of 0.12 m radius.
+    let ripples = |x: f64, y: f64| [x, y, 0.006 * (62.83 * x).sin()];
+    write_grid(&folder.path().join("ripples.ply"), ripples, 0);
+    let check = |depth: &str| {
+        let words = ["surface", "check", "ripples.ply", "--tool-radius", "0.12"];
+        let words = [&words[..], &["--compression-depth-m", depth]].concat();
+        wisch(folder.path(), &words).1
+    };
+    let hard = check("0.001");
+    assert!(
+        hard.contains("of the smoothed area (on the mesh as given, less"),
+        "{hard}"
+    );
+    assert!(
+        hard.contains("contact with these shapes is not predicted"),
+        "{hard}"
+    );
+    let soft = check("0.02");
+    assert!(!soft.contains("smoothed area"), "{soft}");
+    assert!(!soft.contains("is not predicted"), "{soft}");
+    let task = |depth: &str| {
+        let text = format!(
+            "schema = 1\nname = \"plate\"\naction = \"polish\"\n\
+             tool = {{ name = \"pad\", footprint_m = [0.14, 0.19], height_m = 0.05, compression_depth_m = {depth} }}\n\
+             medium = {{ name = \"polishing_paste\" }}\npolish = {{ passes = 1 }}\n\
+             particles = {{ source = \"surface\", count = 400 }}\n\
+             surface = {{ name = \"plate\", friction = 0.3, mesh = {{ file = \"ripples.ply\" }} }}\n"
+        );
+        fs::write(folder.path().join("task.toml"), text).unwrap();
+        wisch(folder.path(), &["check", "task.toml"]).2
+    };
+    let expected = "contact with the grooves or ridges of the mesh is not predicted";
+    let hard = task("0.001");
+    assert!(hard.contains(expected), "{hard}");
+    let soft = task("0.02");
+    assert!(!soft.contains(expected), "{soft}");
+}
+
+#[test]
 fn the_same_mesh_gives_the_same_bytes_on_any_number_of_threads() {
     let folder = tempfile::tempdir().unwrap();
     write_grid(&folder.path().join("door.ply"), door, 0);

@@ -308,6 +308,84 @@ fn a_tool_that_presses_beside_its_origin_is_reported() {
 }
 
 #[test]
+fn a_tool_whose_underside_is_off_its_contact_plane_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    // The lowest point lies at -25 mm, and in turn at 0, 20 and 0.9 mm.
+    let pad = Mesh::cuboid(Vector3::new(0.06, 0.10, 0.05)).unwrap();
+    let check = |raised: f64| {
+        let mesh = pad.transform(&Pose::translation(0.0, 0.0, raised));
+        check_of_mesh(folder.path(), &mesh).2
+    };
+    for raised in [0.025, 0.0259, 0.0241] {
+        let error = check(raised);
+        assert!(!error.contains("the lowest point of its mesh"), "{error}");
+    }
+    for (raised, expected) in [
+        (
+            0.045,
+            "tool \"pad\": the lowest point of its mesh lies 20.0 mm above z = 0 of the file, where at most 1.0 mm are expected",
+        ),
+        (0.045, "the tool stays 20.0 mm above the surface"),
+        (
+            0.0,
+            "the lowest point of its mesh lies 25.0 mm below z = 0 of the file",
+        ),
+        (0.0, "the tool is pressed 25.0 mm too deep"),
+    ] {
+        let error = check(raised);
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+#[test]
+fn the_footprint_of_a_mesh_in_millimetres_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let footprint = |scale: f64| {
+        let pad = Mesh::cuboid(Vector3::new(70.0, 110.0, 50.0) * scale).unwrap();
+        fs::write(folder.path().join("pad.stl"), pad.to_binary_stl()).unwrap();
+        let words = ["footprint", "pad.stl", "--compression-depth-m", "0.005"];
+        wisch(folder.path(), &words)
+    };
+    let (code, out, error) = footprint(1.0);
+    assert_eq!((code, out.as_str()), (2, ""), "{error}");
+    let expected = "pad.stl: the mesh is 110 m long, expected 0.005 m to 3 m: it is probably in millimetres: multiply by 0.001";
+    assert!(error.contains(expected), "{error}");
+    let (code, out, error) = footprint(0.001);
+    assert_eq!(code, 0, "{error}");
+    assert!(
+        out.contains("the lowest point of the mesh lies at z = -25.0 mm"),
+        "{out}"
+    );
+}
+
+#[test]
+fn an_axis_of_a_dae_file_that_is_not_applied_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    let dae = |axis: &str| {
+        format!(
+            r##"<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="metre" meter="1"/><up_axis>{axis}</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="12">0 0 0 0.1 0 0 0 0.1 0 0 0 0.1</float_array>
+<technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>
+</mesh></geometry></library_geometries></COLLADA>"##
+        )
+    };
+    for (axis, is_noted) in [("Y_UP", true), ("Z_UP", false)] {
+        fs::write(folder.path().join("pad.dae"), dae(axis)).unwrap();
+        let settings = ["tool.name=pad", "tool.mesh=pad.dae"];
+        let words = ["check", "task.toml", "--robot", "none"];
+        let words = [&words[..], &["--set", settings[0], "--set", settings[1]]].concat();
+        let (_, _, error) = wisch(folder.path(), &words);
+        let expected = "note: mesh \"pad.dae\": <up_axis> is Y_UP, which is not applied";
+        assert_eq!(error.contains(expected), is_noted, "{error}");
+    }
+}
+
+#[test]
 fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let folder = folder_with("polish-plate.toml");
     let check = |settings: &[&str]| {
@@ -323,6 +401,13 @@ fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let given = check(&[&pad[..], &["tool.height_m=0.01", "particles.count=7"]].concat());
     assert!(!given.contains(height), "{given}");
     assert!(given.contains("6 points, which lie"), "{given}");
+    // 0.155 m2 over 625 points: 15.7 mm apart, more than a quarter of the sponge's 70 mm would be 17.5 mm.
+    let sponge = check(&["particles.count=625"]);
+    assert!(!sponge.contains("points, which lie"), "{sponge}");
+    // A quarter of the pad's 50 mm is 12.5 mm, and 0.155 m2 / (12.5 mm)2 = 992.
+    let few = check(&[&pad[..], &["particles.count=625"]].concat());
+    let expected = "strips of up to 0.008 m along the borders may stay untreated. The tool is 0.050 m wide: set particles.count to at least 992";
+    assert!(few.contains(expected), "{few}");
 
     let outline = "surface.outline_m=[[0,0],[0,0.3],[0.4,0.3],[0.4,0]]";
     let path = folder.path().join("task.toml");

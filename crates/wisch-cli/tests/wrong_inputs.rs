@@ -582,6 +582,19 @@ fn line_cases() -> Vec<Case> {
             &["knowledge", "it is not replaced"],
         ),
         line(
+            "a file for a shipped scenario",
+            &[
+                "check",
+                "arm-board",
+                "--set",
+                "tool={ name = \"pad\", mesh = \"pad.stl\" }",
+            ],
+            &[
+                "pad.stl: the shipped scenarios have no such file",
+                "wisch scenarios arm-board --out FOLDER",
+            ],
+        ),
+        line(
             "a tool that is unknown",
             &["footprint", "spunge"],
             &["unknown tool \"spunge\"", "nearest: sponge"],

@@ -206,9 +206,13 @@ pub fn scenario_files(task_file: &str) -> impl Iterator<Item = (&'static str, &'
 }
 
 /// Returns a file that a shipped scenario names, such as a mesh.
-fn shipped_file(path: &str) -> Result<Vec<u8>, String> {
+fn shipped_file(scenario: &str, path: &str) -> Result<Vec<u8>, String> {
     let file = SCENARIOS.get_file(path);
-    let missing = || format!("{path}: the shipped scenarios have no such file");
+    let missing = || {
+        format!(
+            "{path}: the shipped scenarios have no such file. A shipped scenario reads no files from disk: write it into a folder with wisch scenarios {scenario} --out FOLDER, and use the task file there"
+        )
+    };
     Ok(file.ok_or_else(missing)?.contents().to_vec())
 }
 
@@ -220,8 +224,9 @@ pub fn read_beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, Stri
         .parent()
         .map(Path::to_path_buf)
         .unwrap_or_default();
+    let scenario = task_file.display().to_string();
     move |path| match is_shipped {
-        true => shipped_file(path),
+        true => shipped_file(&scenario, path),
         false => read(&folder.join(path)).map_err(|error| error.to_string()),
     }
 }

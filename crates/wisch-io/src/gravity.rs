@@ -85,6 +85,16 @@ pub(crate) fn gravity_remark(task: &Task, knowledge: &KnowledgeBase) -> Option<S
 fn describe_film(task: &Task, film: &LiquidFilm, slope: f64) -> String {
     let volume = film.particle_volume * task.particles.len() as f64;
     let thickness = volume / task.surface.outline.area();
+    let adhering = film.liquid.adhering_thickness;
+    if thickness <= adhering {
+        return format!(
+            "gravity: {} adheres to the surface, which leans by {:.0}°: a film of {:.3} mm is not thicker than the {:.3} mm of medium.adhering_thickness_m, so that it runs only where it gathers",
+            task.medium,
+            slope.to_degrees(),
+            1e3 * thickness,
+            1e3 * adhering
+        );
+    }
     let mut text = format!(
         "gravity: {} runs down the surface, which leans by {:.0}°: a film of {:.3} mm at {:.1} mm/s",
         task.medium,

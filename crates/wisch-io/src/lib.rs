@@ -17,6 +17,7 @@ mod process;
 mod records;
 mod robots;
 mod task_file;
+mod up_axis;
 
 pub use assets::{
     KnowledgeSource, read, read_beside, read_text, scenario_files, shipped_scenarios,
@@ -55,4 +56,8 @@ pub use records::{
     planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, robot_warnings, shipped_robots};
-pub use task_file::{Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile};
+pub use task_file::{
+    Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, check_tool_extent,
+    find_underside_offset,
+};
+pub use up_axis::up_axis_remark;

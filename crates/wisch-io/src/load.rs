@@ -8,8 +8,10 @@ use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
 use crate::task_file::{
-    Intent, TaskFile, points_remark, surface_remarks, tool_remark, unit_remarks,
+    Intent, TaskFile, points_remark, smoothing_remark, surface_remarks, tool_remark,
+    underside_remark, unit_remarks,
 };
+use crate::up_axis::up_axis_remark;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use wisch::goal::{GoalLiteral, resolve_goal};
@@ -290,6 +292,7 @@ pub fn parse_task(
     }
     source.add_to(&mut inputs)?;
     let inputs = RefCell::new(inputs);
+    let up_axes = RefCell::new(Vec::new());
     let mut kept = KeptFiles::default();
     let mut files = |path: &str| {
         let contents = files(path)?;
@@ -299,6 +302,7 @@ pub fn parse_task(
     let taken_in = |path: &str, bytes: Result<Vec<u8>, String>| {
         let bytes = bytes?;
         inputs.borrow_mut().add(path, &bytes);
+        up_axes.borrow_mut().extend(up_axis_remark(path, &bytes));
         Ok(bytes)
     };
     let mut task = file.resolve(
@@ -316,10 +320,16 @@ pub fn parse_task(
         None => gravity_remark(&task, &knowledge),
     });
     assumptions.extend(surface_remarks(&task));
+    assumptions.extend(smoothing_remark(&task));
     assumptions.extend(tool_remark(&task));
+    assumptions.extend(underside_remark(&task));
     assumptions.extend(points_remark(&task));
     assumptions.extend(unit_remarks(&task));
     let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;
+    let mut up_axes = up_axes.into_inner();
+    up_axes.sort();
+    up_axes.dedup();
+    assumptions.extend(up_axes);
     let mut inputs = inputs.into_inner();
     inputs.add("action", chosen.action.as_str());
     inputs.add("seed", seed.to_le_bytes());

@@ -575,7 +575,7 @@ for k in range(30000):
     sys.stdout.write('{{"sample": ' + json.dumps({{"time_s": k * 1e-4, "force_n": [0, 0, 0], "world_from_tool": pose, "positions": positions}}) + "}}\n")
 sys.stdout.flush()
 open({:?}, "w").close()
-done("stopped")
+done("stopped", duration=3)
 "#,
         written.display().to_string()
     );

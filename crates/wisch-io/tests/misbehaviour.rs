@@ -212,6 +212,24 @@ fn a_wrench_with_another_sign_or_unit_is_doubted() {
 }
 
 #[test]
+fn a_pose_that_contradicts_the_joint_positions_is_doubted() {
+    if !has_python() {
+        return;
+    }
+    let lines = "pose = [pose[0] + 0.05] + pose[1:]";
+    let ended = run("#SAMPLE", lines, PATIENT);
+    let contradicts = ended.doubts.iter().find_map(|doubt| match doubt {
+        Doubt::PositionsContradictPose { distance, angle } => Some((*distance, *angle)),
+        _ => None,
+    });
+    let (distance, angle) = contradicts.unwrap_or_else(|| panic!("{:?}", ended.doubts));
+    assert!(
+        (distance - 0.05).abs() < 1e-6 && angle < 1e-6,
+        "{distance} m, {angle} rad"
+    );
+}
+
+#[test]
 fn a_driver_that_says_no_more_or_too_much_ends_in_bounded_time() {
     if !has_python() {
         return;

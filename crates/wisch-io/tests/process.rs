@@ -28,7 +28,10 @@ hear()
 say(ready={"version": 1})
 motion = hear()["execute"]
 points = [hear()["point"] for _ in range(motion["points"])]
+last = 0
 def sample(time, **more):
+    global last
+    last = time
     pose = points[0]["world_from_tool"]
     at = {"world_from_tool": pose, "positions": points[0]["positions"]}
     say(sample={"time_s": time, "force_n": [0, 0, 0], **at, **more})
@@ -36,7 +39,8 @@ def follow(speed=1):
     for point in points:
         place = {"world_from_tool": point["world_from_tool"], "positions": point["positions"]}
         sample(point["time_s"] / speed, **place)
-def done(ending, positions=points[-1]["positions"], duration=1):
+def done(ending, positions=points[-1]["positions"], duration=None):
+    duration = max(last, 1) if duration is None else duration
     say(done={"duration_s": duration, "ending": ending, "positions": positions})
 "#;
 
@@ -250,6 +254,22 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         ("done('exploded')", "unknown variant `exploded`"),
         (
+            "sample(0); sample(1.5); done('stopped', duration=1)",
+            "at the end duration_s is 1 s, but the last sample is at 1.5 s; expected a duration that includes all samples",
+        ),
+        (
+            "sample(3000)",
+            "the first sample is at 3000 s, without pauses more than 5 s after the begin of the motion; time_s counts from the begin",
+        ),
+        (
+            "sample(61, trajectory_time_s=0)",
+            "without pauses more than 60 s after the begin of the motion",
+        ),
+        (
+            "sample(1764000000)",
+            "time_s = 1764000000 of a sample is beyond the limit of 10000000 s; time_s counts from the begin",
+        ),
+        (
             "sample(0); done('complete')",
             "is reported complete, but the last sample is at 0 s",
         ),
@@ -333,6 +353,15 @@ fn how_a_child_ended_is_taken_over() {
         (0.5, "a hand is in the way")
     );
 
+    // A stop that nobody requested is one of the robot.
+    let lines = "sample(0); sample(0.5)\ndone('stopped', duration=0.5)";
+    let (execution, _) = executed(&planned, lines, usize::MAX).expect("it ends");
+    let Ending::ProtectiveStop { time, cause } = execution.ending else {
+        panic!("{:?}", execution.ending);
+    };
+    assert_eq!((time, cause.kind()), (0.5, StopKind::ProtectiveStop));
+    assert!(cause.to_string().contains("without a request"), "{cause}");
+
     let (loaded, robot) = loaded();
     let script = format!("{CHILD}sample(0)\ndone('stopped', [1, 2])\n");
     let mut session = loaded.session().with_robot(robot.robot_setup());
@@ -392,6 +421,10 @@ fn what_a_child_sees_is_limited_and_said() {
             "1998 corners of hidden polygons exceed the limit of 1000",
         ),
         ("{'detections': [[0]]}", "invalid length 1"),
+        (
+            "{'detections': [[0, 0, 0]]}",
+            "is not a message of the protocol: trailing characters at column",
+        ),
     ] {
         let error = looking(seen).expect_err(seen).to_string();
         assert!(error.contains(expected), "{seen}: {error}");
@@ -455,6 +488,11 @@ for line in open(0):
         start(script).expect("it greets").state(),
         Ok(Some(vec![1.0, 2.0].into()))
     );
+    // Velocities are kept without positions, so that they are checked.
+    let moving = script.replace("[1, 2]}", "[], \"velocities\": [0.5]}");
+    let state = start(&moving).expect("it greets").state().expect("a state");
+    let state = state.expect("velocities");
+    assert_eq!((state.positions, state.velocities), (vec![], vec![0.5]));
 }
 
 /// Has a child of protocol version 2 execute a motion. `ready`: what it adds to its greeting.

@@ -182,6 +182,7 @@ impl FollowedPlan {
             max_turn_deviation_rad: total.off_line[1],
             min_clearance_m: total.clearance,
             faults: self.audit.faults.len(),
+            first_fault: (self.audit.faults.first()).map(ToString::to_string),
         }
     }
 

@@ -137,7 +137,12 @@ impl RunResults {
         match (self.rounds.last(), &self.following, &self.predicted) {
             (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
             (None, Some(following), _) if !following.audit.faults.is_empty() => false,
-            (None, _, Some((prediction, _))) => prediction.performance.ratio() >= target,
+            (None, _, Some((prediction, _))) => {
+                let is_exceeded = (self.task.treatment).is_some_and(|treatment| {
+                    treatment.exceeds_limit([(&prediction.particles, 1.0)], target)
+                });
+                prediction.performance.ratio() >= target && !is_exceeded
+            }
             (None, _, None) => true,
         }
     }

@@ -96,7 +96,13 @@ fn every_fault_is_found() {
             Warning,
             DiagnosticKind::Limit,
         ),
-        (r#"lower="-1""#, "", Warning, DiagnosticKind::LimitMissing),
+        (r#"lower="-1""#, "", Warning, DiagnosticKind::Limit),
+        (
+            r#"lower="-1" upper="1""#,
+            "",
+            Warning,
+            DiagnosticKind::Limit,
+        ),
         (
             r#"type="revolute""#,
             r#"type="floating""#,

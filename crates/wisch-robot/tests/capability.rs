@@ -515,6 +515,41 @@ fn a_chain_without_joints_reaches_one_pose() {
     assert_eq!(map.reachability(&Pose::translation(0.0, 0.0, 0.3)), 0.0);
 }
 
+/// The directions of a map are never exactly down for this frequency, and no joint tilts the tool.
+#[test]
+fn an_arm_that_cannot_tilt_its_tool_has_no_map() {
+    let joint = |kind: &str, parent: &str, child: &str, x: f64, limits: [f64; 2]| {
+        let [lower, upper] = limits;
+        format!(
+            r#"<link name="{child}"/><joint name="{child}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>
+               <origin xyz="{x} 0 0"/><axis xyz="0 0 1"/><limit lower="{lower}" upper="{upper}"/></joint>"#
+        )
+    };
+    let scara = read(&format!(
+        r#"<robot name="scara"><link name="floor"/>{}{}{}{}</robot>"#,
+        joint("revolute", "floor", "upper", 0.0, [-2.0, 2.0]),
+        joint("revolute", "upper", "lower", 0.35, [-2.0, 2.0]),
+        joint("prismatic", "lower", "quill", 0.3, [-0.2, 0.0]),
+        joint("revolute", "quill", "tool", 0.0, [-3.0, 3.0]),
+    ));
+    let posture = vec![0.0; scara.dof()];
+    let down = MapRequest {
+        tip_from_tool: Pose::rotation(Vector3::x() * PI),
+        ..tool(&scara, &posture)
+    };
+    let config = MapConfig {
+        frequency: 3,
+        ..COARSE
+    };
+    let map = CapabilityMap::build(&down, |_| true, &config, |_, _, _| {});
+    let error = map.map(|_| ()).unwrap_err();
+    assert!(
+        matches!(error, MapError::NoCenterReached { cells } if cells > 10),
+        "{error}"
+    );
+    assert!(error.to_string().ends_with("work without a map"), "{error}");
+}
+
 #[test]
 fn the_hash_tells_reach_apart_and_nothing_else() {
     let hash = |text: &str| RobotHash::from_robot(&read(text));

@@ -419,6 +419,24 @@ fn a_robot_that_is_always_in_collision_has_no_ready_posture() {
 }
 
 #[test]
+fn an_arm_without_ranges_is_no_arm() {
+    let fixed = r#"<limit lower="0" upper="0" velocity="1" effort="10"/>"#;
+    let names = ["base", "a", "b", "c", "d"];
+    let joints: Vec<String> = (names.windows(2))
+        .map(|pair| joint("revolute", pair[0], pair[1], "0 0 0.2", fixed))
+        .collect();
+    let text = format!(
+        r#"<robot name="still"><link name="base"/>{}</robot>"#,
+        joints.concat()
+    );
+    let fault = find_arms(&read(&text), &[]).unwrap_err();
+    assert!(
+        matches!(fault, SetupError::NoRange { joints: 4, .. }),
+        "{fault}"
+    );
+}
+
+#[test]
 fn settings_outside_their_ranges_are_errors() {
     let robot = robot("arm6");
     let config = SetupConfig {

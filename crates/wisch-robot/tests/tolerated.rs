@@ -122,6 +122,84 @@ fn what_is_tolerated_has_one_reading() {
 }
 
 #[test]
+fn angles_and_velocities_in_degrees_are_warnings() {
+    let sound = two_links(HINGE);
+    let axis = "<axis xyz=\"0 0 1\"/>";
+    for (from, to, expected) in [
+        (
+            axis,
+            "<axis xyz=\"0 0 1\"/><origin rpy=\"90 0 -90\"/>",
+            "its origin turns by rpy = 90 0 -90 rad",
+        ),
+        (
+            "<geometry>",
+            "<origin rpy=\"0 45 0\"/><geometry>",
+            "its origin turns by rpy = 0 45 0 rad",
+        ),
+        (
+            "velocity=\"1\"",
+            "velocity=\"180\"",
+            "its velocity limit is 180 rad/s",
+        ),
+    ] {
+        let found = found(&sound.replacen(from, to, 1));
+        assert_eq!(found.len(), 1, "{to}: {found:?}");
+        let kind = (found[0].severity, found[0].kind, found[0].value.as_str());
+        assert_eq!(kind, (Severity::Warning, DiagnosticKind::Units, expected));
+        assert!(
+            found[0].advice.contains("probably in degrees"),
+            "{}",
+            found[0]
+        );
+    }
+    for (from, to) in [
+        (
+            axis,
+            "<axis xyz=\"0 0 1\"/><origin rpy=\"6.2831853 0 -3.1416\"/>",
+        ),
+        ("velocity=\"1\"", "velocity=\"20\""),
+    ] {
+        assert_eq!(found(&sound.replacen(from, to, 1)), []);
+    }
+}
+
+#[test]
+fn a_position_limit_that_is_absent_beside_the_other_is_0() {
+    let both = "lower=\"-1\" upper=\"1\"";
+    for (stated, expected, told) in [
+        ("lower=\"-1\"", Some([-1.0, 0.0]), "0 rad is assumed"),
+        ("upper=\"2.8\"", Some([0.0, 2.8]), "0 rad is assumed"),
+        // These leave no range with 0.
+        ("lower=\"1\"", None, "without position limits"),
+        ("upper=\"-1\"", None, "without position limits"),
+        ("lower=\"0\"", None, "without position limits"),
+        (
+            "lower=\"-inf\" upper=\"1\"",
+            None,
+            "without position limits",
+        ),
+        ("", None, "without position limits"),
+    ] {
+        let text = two_links(&HINGE.replace(both, stated));
+        let limits = robot(&text).variable(0).limits.position;
+        let limits = limits.map(|limits| [limits.lower, limits.upper]);
+        assert_eq!(limits, expected, "{stated}");
+        let found = found(&text);
+        assert_eq!(found.len(), 1, "{stated}: {found:?}");
+        let kind = (found[0].severity, found[0].kind);
+        assert_eq!(kind, (Severity::Warning, DiagnosticKind::Limit));
+        assert!(found[0].advice.contains(told), "{stated}: {}", found[0]);
+    }
+    // A safety controller counts within them.
+    let soft = "upper=\"1\" velocity=\"1\" effort=\"1\" acceleration=\"1\"/>\
+        <safety_controller soft_lower_limit=\"-1\" soft_upper_limit=\"0.5\"/></joint>";
+    let begin = HINGE.split(both).next().unwrap();
+    let limits = robot(&two_links(&format!("{begin}{soft}")));
+    let limits = limits.variable(0).limits.position.unwrap();
+    assert_eq!([limits.lower, limits.upper], [0.0, 0.5]);
+}
+
+#[test]
 fn a_source_of_xacro_is_refused_with_the_command_that_expands_it() {
     let expand = "make it with `xacrodoc test.urdf -o robot.urdf` (pip install xacrodoc), or in ROS with `xacro test.urdf > robot.urdf`";
     for (text, place) in [

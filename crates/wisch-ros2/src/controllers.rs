@@ -13,8 +13,6 @@ use std::time::{Duration, Instant};
 const ANSWER: Duration = Duration::from_secs(5);
 /// Longest wait for a switch, by the controller manager [s].
 const SWITCH_TIMEOUT_S: f64 = 3.0;
-/// Longest wait for controllers to be deactivated: wisch waits for 2 s after an error.
-const HAND_BACK: Duration = Duration::from_millis(1500);
 /// Strictness with which a switch that fails in part changes nothing.
 const STRICT: i32 = 2;
 /// Types of the services, in `controller_manager_msgs`.
@@ -72,6 +70,14 @@ impl ControllerManager {
     /// # Errors
     /// If the manager does not answer.
     pub fn list(&self) -> Result<Vec<ListedController>, LinkError> {
+        self.list_within(ANSWER)
+    }
+
+    /// Lists the controllers.
+    ///
+    /// # Errors
+    /// If the manager does not answer within `limit`.
+    pub fn list_within(&self, limit: Duration) -> Result<Vec<ListedController>, LinkError> {
         let listed = |name, state: &str, kind, claimed| ListedController {
             name,
             is_active: state == "active",
@@ -80,13 +86,13 @@ impl ControllerManager {
         };
         Ok(match self {
             Self::Humble(list, _) => {
-                let answer = list.call(EmptyRequest::default(), ANSWER)?;
+                let answer = list.call(EmptyRequest::default(), limit)?;
                 let all = answer.controller.into_iter();
                 all.map(|c| listed(c.name, &c.state, c.kind, c.claimed_interfaces))
                     .collect()
             }
             Self::Jazzy(list, _) => {
-                let answer = list.call(EmptyRequest::default(), ANSWER)?;
+                let answer = list.call(EmptyRequest::default(), limit)?;
                 let all = answer.controller.into_iter();
                 all.map(|c| listed(c.name, &c.state, c.kind, c.claimed_interfaces))
                     .collect()
@@ -105,9 +111,9 @@ impl ControllerManager {
     /// Deactivates controllers, all or none of them.
     ///
     /// # Errors
-    /// If the manager does not answer in time, or refuses.
-    pub fn deactivate(&self, names: Vec<String>) -> Result<(), LinkError> {
-        self.switch(Vec::new(), names, HAND_BACK)
+    /// If the manager does not answer within `limit`, or refuses.
+    pub fn deactivate(&self, names: Vec<String>, limit: Duration) -> Result<(), LinkError> {
+        self.switch(Vec::new(), names, limit)
     }
 
     fn switch(

@@ -4,6 +4,7 @@ use crate::commissioning::Commissioning;
 use crate::connection::{Connection, SURVEY};
 use crate::link::Vendor;
 use crate::robot_file::RobotFile;
+use crate::wrench_quality::assumptions;
 use std::io::Write;
 
 /// Width of the first column.
@@ -70,6 +71,9 @@ pub(crate) fn examine(file: RobotFile) -> Result<bool, String> {
         line(&controller.name, text)?;
     }
     print_readings(&connection, &mut line)?;
+    for text in assumptions(file, false) {
+        line("assumed", text)?;
+    }
     let mut faults = connection.faults(&survey);
     if connection.file.force.topic.is_some()
         && let Err(text) = Commissioning::read(&connection.file, &connection.frames)

@@ -1,6 +1,7 @@
 //! The executor: takes motions from wisch and lets the robot execute them.
 
 mod checks;
+mod hand_back;
 mod run;
 
 use crate::commissioning::Commissioning;
@@ -9,6 +10,7 @@ use crate::guard::Guard;
 use crate::motion::WipingMotion;
 use crate::protocol::{Incoming, MotionEnding, MotionHead, Outgoing, Request, VERSION};
 use crate::robot_file::RobotFile;
+use crate::wrench_quality::assumptions;
 use nalgebra::Vector3;
 use run::MotionRun;
 use serde_json::{Value, json};
@@ -76,6 +78,7 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
         "max_silence_s": MAX_SILENCE_S,
         "real_time": true,
         "prepares": true,
+        "pauses": true,
         "stamp_clock": "epoch",
         "knot_error_rad": driver.connection.file.motion.knot_error_rad,
     }}));
@@ -99,8 +102,8 @@ pub(crate) fn serve(robot_file: &Path, options: DriveOptions) {
                 Err(text) => json!({"error": text}),
             },
             Request::Observe(_) => json!({"observation": null}),
-            // A stop may arrive after the motion has ended.
-            Request::Stop => continue,
+            // They may arrive after the motion has ended.
+            Request::Stop | Request::Pause | Request::Resume => continue,
             Request::End => break,
             Request::Hello(_) | Request::Point(_) => json!({"error": "unexpected message"}),
             Request::Invalid(why) => json!({"error": format!("a line is no message: {why}")}),
@@ -149,6 +152,9 @@ impl Driver {
             return Err(fault.clone());
         }
         let guard = Guard::start(&robot_file)?;
+        for text in assumptions(&connection.file, options.is_in_air) {
+            eprintln!("wisch-ros2: {text}");
+        }
         Ok(Self {
             connection,
             sign,
@@ -169,40 +175,12 @@ impl Driver {
         if self.activated.is_some() {
             return Ok(());
         }
-        let missing = self.inactive_controllers()?;
+        let missing = self.inactive_controllers(None)?;
         self.activated = Some(missing.clone());
         self.activate(missing).map_err(|text| match self.finish() {
             Ok(()) => text,
             Err(left) => format!("{text}; {left}"),
         })
-    }
-
-    /// Deactivates those controllers that were inactive before.
-    ///
-    /// # Errors
-    /// If the robot may still move, or the controller manager refuses.
-    fn finish(&mut self) -> Result<(), String> {
-        let Some(activated) = self.activated.take().filter(|names| !names.is_empty()) else {
-            return Ok(());
-        };
-        let inactive = self.inactive_controllers()?;
-        let activated: Vec<String> = (activated.into_iter())
-            .filter(|name| !inactive.contains(name))
-            .collect();
-        if activated.is_empty() {
-            return Ok(());
-        }
-        let speeds = self.connection.readings.lock().joints.clone();
-        let speeds = speeds.map(|joints| joints.velocities).unwrap_or_default();
-        let moves = speeds.iter().any(|speed| speed.abs() > checks::REST);
-        if !self.rests || moves {
-            let names = activated.join(", ");
-            return Err(format!(
-                "the robot has not confirmed that it rests, so {names} stay active"
-            ));
-        }
-        let deactivated = self.connection.manager.deactivate(activated);
-        deactivated.map_err(|error| error.to_string())
     }
 
     /// The measured positions and velocities.

@@ -153,6 +153,7 @@ pub(crate) fn stand_in(
         commands: Commands::start(),
         is_silent: [false; 3],
         is_shuffled: false,
+        jumps: vec![0.0; cell.robot().dof()],
         clock_offset: 0.0,
         sign: 1.0,
         tare: Vector3::zeros(),
@@ -185,6 +186,8 @@ struct StandIn<'a> {
     /// Whether joint states, wrenches, and states of the controller are not sent.
     is_silent: [bool; 3],
     is_shuffled: bool,
+    /// Error of each joint's stated position [rad or m].
+    jumps: Vec<f64>,
     clock_offset: f64,
     sign: f64,
     /// The sensor's zero, and a push on the tool with its end, in the axes of the world [N].
@@ -260,6 +263,8 @@ impl StandIn<'_> {
             order.reverse();
         }
         let pick = |values: &[f64]| order.iter().map(|&i| values[i]).collect();
+        let stated = self.measured.positions.iter().zip(&self.jumps);
+        let stated: Vec<f64> = stated.map(|(position, jump)| position + jump).collect();
         if !self.is_silent[0] {
             let _ = self.topics.joints.publish(JointStateMessage {
                 header: Header {
@@ -267,7 +272,7 @@ impl StandIn<'_> {
                     frame_id: String::new(),
                 },
                 name: order.iter().map(|&i| names[i].clone()).collect(),
-                position: pick(&self.measured.positions),
+                position: pick(&stated),
                 velocity: pick(&self.measured.velocities),
                 effort: pick(&self.measured.efforts),
             });
@@ -379,6 +384,11 @@ impl StandIn<'_> {
             Command::Speak => self.is_silent = [false; 3],
             Command::Shuffle => self.is_shuffled = !self.is_shuffled,
             Command::Move(joint, distance) => self.arm.displace(joint, distance),
+            Command::Jump(joint, distance) => {
+                if let Some(jump) = self.jumps.get_mut(joint) {
+                    *jump = distance;
+                }
+            }
             Command::Clock(offset) => self.clock_offset = offset,
             Command::Sign(sign) => self.sign = sign,
             Command::Reject(is_rejecting) => self.arm.is_rejecting = is_rejecting,

@@ -59,6 +59,13 @@ impl Frames {
             .collect()
     }
 
+    /// Largest velocity of each joint by the URDF [rad/s or m/s]; `None` where it states none.
+    pub fn velocity_limits(&self) -> Vec<Option<f64>> {
+        (0..self.model.dof())
+            .map(|i| self.model.variable(i).limits.velocity)
+            .collect()
+    }
+
     /// The link of this name.
     pub fn link(&self, name: &str) -> Option<LinkId> {
         // Some drivers send names with a slash in front, as ROS 1 did.

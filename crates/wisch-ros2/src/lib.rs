@@ -13,14 +13,17 @@ mod fake;
 mod frames;
 mod goals;
 mod guard;
+mod jumps;
 mod link;
 mod messages;
 mod motion;
+mod pace;
 mod ping;
 mod protocol;
 mod push_test;
 mod readings;
 mod robot_file;
 mod service;
+mod wrench_quality;
 
 pub use args::{ProgramLine, run};

@@ -3,6 +3,7 @@
 //! A motion is sent in parts, each from rest to rest: the robot presses in the parts that wipe, and in no other.
 
 use crate::messages::{JointTolerance, PointMessage, Stamp, TrajectoryGoal, TrajectoryMessage};
+use crate::pace::GoalPace;
 use crate::protocol::{MotionHead, PointRecord};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
 use wisch::geometry::Pose;
@@ -13,6 +14,8 @@ const FADE_TIME: f64 = 0.5;
 const REST_VELOCITY: f64 = 1e-3;
 /// Steps between two knots at which the tool's speed is evaluated.
 const SPEED_STEPS: usize = 4;
+/// Step of the search for the time at which a trajectory is nearest to the robot [s].
+const SEARCH_STEP: f64 = 5e-3;
 /// Bytes of a goal without its points and names.
 const GOAL_BYTES: usize = 128;
 
@@ -234,55 +237,58 @@ impl WipingMotion {
         greatest
     }
 
-    /// Makes the goal of a part. It begins at the robot's measured `positions`, whose distance from the trajectory fades
-    /// within half a second.
+    /// Makes the goal of a part, or of its rest. It begins at the robot's measured `positions`, whose distance from the
+    /// trajectory fades within half a second.
     ///
+    /// - `pace`: where on the trajectory it begins, and how fast it goes.
     /// - `names`: names of the joints, in the order of the positions.
-    /// - `speed`: share of the planned speed.
     /// - `path_tolerance`: largest deviation of a joint [rad]; 0 leaves the choice to the controller.
     pub fn goal(
         &self,
         part: &Part,
+        pace: &GoalPace,
         positions: &[f64],
         names: &[String],
-        speed: f64,
         path_tolerance: f64,
     ) -> TrajectoryGoal {
-        let [first, last] = part.knots;
-        let begin = &self.knots[first];
-        let offset: Vec<f64> = (positions.iter().zip(&begin.positions))
+        let begin = self.positions_at(pace.from);
+        let offset: Vec<f64> = (positions.iter().zip(&begin))
             .map(|(measured, planned)| measured - planned)
             .collect();
-        let duration = (self.knots[last].time - begin.time) / speed;
+        let mut states = self.states(part, pace);
+        let duration = states.last().map_or(0.0, |(since, _)| *since);
         let fade = FADE_TIME.min(duration);
-        let mut points: Vec<PointMessage> = Vec::new();
-        let mut knots: Vec<Knot> = self.knots[first + 1..=last].to_vec();
-        let fade_end = begin.time + fade * speed;
-        if !knots.iter().any(|knot| (knot.time - fade_end).abs() < 1e-6) {
-            let at = knots.partition_point(|knot| knot.time < fade_end);
-            knots.insert(at, self.interpolated(fade_end));
+        if !(states.iter()).any(|(since, _)| (since - fade).abs() < 1e-6) {
+            let at = states.partition_point(|(since, _)| *since < fade);
+            states.insert(at, (fade, self.interpolated(pace.evaluate(fade)[0])));
         }
-        for knot in &knots {
-            let time = (knot.time - begin.time) / speed;
-            let [share, rate, curve] = fading(time, fade);
-            let add = |values: &[f64], scale: f64, factor: f64| -> Vec<f64> {
-                let both = values.iter().zip(&offset);
-                both.map(|(value, offset)| value * scale + offset * factor)
-                    .collect()
-            };
-            points.push(PointMessage {
-                positions: add(&knot.positions, 1.0, share),
-                velocities: add(&knot.velocities, speed, rate),
-                accelerations: add(&knot.accelerations, speed * speed, curve),
+        let points = states.iter().map(|(since, knot)| {
+            let [_, speed, gain] = pace.evaluate(*since);
+            let [share, rate, curve] = fading(*since, fade);
+            let sum = |i: usize, planned: f64, factor: f64| planned + offset[i] * factor;
+            let each = 0..offset.len();
+            PointMessage {
+                positions: (each.clone())
+                    .map(|i| sum(i, knot.positions[i], share))
+                    .collect(),
+                velocities: (each.clone())
+                    .map(|i| sum(i, knot.velocities[i] * speed, rate))
+                    .collect(),
+                accelerations: each
+                    .map(|i| {
+                        let along = knot.velocities[i] * gain;
+                        sum(i, knot.accelerations[i] * (speed * speed) + along, curve)
+                    })
+                    .collect(),
                 effort: Vec::new(),
-                time_from_start: Stamp::from_seconds(time),
-            });
-        }
+                time_from_start: Stamp::from_seconds(*since),
+            }
+        });
         let tolerances = names.iter().filter(|_| path_tolerance > 0.0);
         TrajectoryGoal {
             trajectory: TrajectoryMessage {
                 joint_names: names.to_vec(),
-                points,
+                points: points.collect(),
                 ..TrajectoryMessage::default()
             },
             path_tolerance: tolerances
@@ -296,24 +302,53 @@ impl WipingMotion {
         }
     }
 
+    /// The states of a part at the points of a goal, each with its time since the goal began [s].
+    fn states(&self, part: &Part, pace: &GoalPace) -> Vec<(f64, Knot)> {
+        let ramp = pace.ramp_times().into_iter();
+        let mut states: Vec<(f64, Knot)> = ramp
+            .map(|since| (since, self.interpolated(pace.evaluate(since)[0])))
+            .collect();
+        let [ramp_end, ..] = pace.evaluate(pace.ramp);
+        let later = self.knots[..=part.knots[1]].iter();
+        let later = later.filter(|knot| knot.time > ramp_end + 1e-6);
+        states.extend(later.map(|knot| (pace.since(knot.time), knot.clone())));
+        states
+    }
+
     /// Positions that the controller should have at a time on the trajectory [s], with what is left of the offset.
     ///
     /// - `since`: time since the goal began [s].
-    /// - `span`: start and end of the part, as planned [s].
+    /// - `end`: end of the part, as planned [s].
     pub fn faded_positions(
         &self,
         time: f64,
         since: f64,
-        span: [f64; 2],
+        (pace, end): (&GoalPace, f64),
         offset: &[f64],
-        speed: f64,
     ) -> Vec<f64> {
-        let fade = FADE_TIME.min((span[1] - span[0]) / speed);
+        let fade = FADE_TIME.min(pace.since(end));
         let [share, ..] = fading(since, fade);
         let planned = self.positions_at(time);
         let both = planned.iter().zip(offset);
         both.map(|(planned, offset)| planned + share * offset)
             .collect()
+    }
+
+    /// The time within a span of the trajectory [s] at which its positions are nearest to those measured; the first of
+    /// several.
+    pub fn nearest_time(&self, measured: &[f64], [from, to]: [f64; 2]) -> f64 {
+        let steps = ((to - from).max(0.0) / SEARCH_STEP).ceil() as usize;
+        let mut nearest = (f64::INFINITY, from);
+        for step in 0..=steps {
+            let time = (from + step as f64 * SEARCH_STEP).min(to.max(from));
+            let planned = self.positions_at(time);
+            let apart = planned.iter().zip(measured);
+            let apart: f64 = apart.map(|(p, m)| (p - m) * (p - m)).sum();
+            if apart < nearest.0 {
+                nearest = (apart, time);
+            }
+        }
+        nearest.1
     }
 
     /// The state of the trajectory at a time between two knots [s].
@@ -454,7 +489,8 @@ mod tests {
     fn a_goal_begins_at_the_measured_positions_after_time_0_and_ends_on_the_trajectory() {
         let motion = steps(&["transfer"]);
         let part = &motion.parts().unwrap()[0];
-        let goal = motion.goal(part, &[0.01], &motion.head.joints, 0.5, 0.05);
+        let pace = GoalPace::from_rest(0.0, 0.5);
+        let goal = motion.goal(part, &pace, &[0.01], &motion.head.joints, 0.05);
         let points = &goal.trajectory.points;
         let times: Vec<f64> = points.iter().map(|p| p.time_from_start.seconds()).collect();
         assert_eq!(times, [0.5, 2.0]);
@@ -479,6 +515,69 @@ mod tests {
             let planned = motion.positions_at(0.25 * share)[0];
             assert!((sent - planned).abs() <= 0.0101, "{sent} and {planned}");
         }
+    }
+
+    /// The goal of a part from a time on, as its controller interpolates it: the state at a time [s].
+    fn followed(goal: &TrajectoryGoal, begin: f64, time: f64) -> [f64; 3] {
+        let points = &goal.trajectory.points;
+        let since = |i: usize| points[i].time_from_start.seconds();
+        let next = (0..points.len()).find(|i| since(*i) >= time).unwrap();
+        let (from, start) = match next {
+            0 => (0.0, [begin, 0.0, 0.0]),
+            _ => {
+                let p = &points[next - 1];
+                let state = [p.positions[0], p.velocities[0], p.accelerations[0]];
+                (since(next - 1), state)
+            }
+        };
+        let p = &points[next];
+        let end = [p.positions[0], p.velocities[0], p.accelerations[0]];
+        let span = since(next) - from;
+        let scaled = [start, end].map(|[q, v, a]| [q, v * span, a * span * span]);
+        let [q, v, a] = quintic(&scaled, (time - from) / span);
+        [q, v / span, a / (span * span)]
+    }
+
+    #[test]
+    fn the_rest_of_a_goal_begins_at_rest_where_the_robot_stands_and_ends_on_the_trajectory() {
+        let motion = steps(&["transfer"]);
+        let part = &motion.parts().unwrap()[0];
+        for (from, offset) in [(0.4, 0.0), (0.4, 0.01), (0.97, 0.002), (1.0, 0.0)] {
+            let pace = GoalPace::resume(from, 1.0, 0.7);
+            let begin = motion.positions_at(from)[0] + offset;
+            let goal = motion.goal(part, &pace, &[begin], &motion.head.joints, 0.0);
+            let points = &goal.trajectory.points;
+            assert!(points.len() <= 12, "{}", points.len());
+            let last = points.last().unwrap();
+            assert!((last.positions[0] - 1.0).abs() < 1e-9, "{last:?}");
+            assert!(last.velocities[0].abs() < 1e-9);
+            let duration = last.time_from_start.seconds();
+            assert!(duration >= 0.5 - 1e-9);
+            let step = 1e-3;
+            let mut before = [begin, 0.0, 0.0];
+            for i in 1..(duration / step) as usize {
+                let time = i as f64 * step;
+                let now = followed(&goal, begin, time);
+                // The speed is continuous and no greater than planned, but for the offset that fades.
+                let fading = 1.875 * offset / 0.5;
+                assert!((now[1] - before[1]).abs() < 0.03, "{time}: {now:?}");
+                assert!(now[1] <= 0.7 * 1.875 + fading + 1e-3, "{time}: {now:?}");
+                let on_path = motion.positions_at(pace.evaluate(time)[0])[0];
+                assert!(now[0] - on_path <= offset + 1e-4, "{time}: {now:?}");
+                assert!(now[0] - on_path >= -1e-4, "{time}: {now:?}");
+                before = now;
+            }
+        }
+    }
+
+    #[test]
+    fn the_time_on_the_trajectory_is_found_from_the_positions_but_never_before_the_span() {
+        let motion = steps(&["transfer"]);
+        let at = |time: f64| motion.positions_at(time);
+        assert!((motion.nearest_time(&at(0.5), [0.3, 0.9]) - 0.5).abs() < 5e-3);
+        assert_eq!(motion.nearest_time(&at(0.2), [0.3, 0.9]), 0.3);
+        assert_eq!(motion.nearest_time(&at(0.95), [0.3, 0.9]), 0.9);
+        assert_eq!(motion.nearest_time(&at(0.95), [0.9, 0.9]), 0.9);
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub(crate) enum Request {
     Execute(Box<MotionHead>),
     Point(PointRecord),
     Stop,
+    Pause,
+    Resume,
     State,
     Observe(Value),
     /// The end of input.

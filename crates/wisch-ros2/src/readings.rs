@@ -30,6 +30,10 @@ pub(crate) struct JointReading {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WrenchReading {
     pub arrival: Instant,
+    /// Arrival of the first message with this stamp: a driver may repeat a measurement.
+    pub measured: Instant,
+    /// The robot's stamp [s]; 0 if it states none.
+    pub stamp: f64,
     pub frame: String,
     /// Force in the axes of the frame, as sent [N].
     pub force: [f64; 3],
@@ -123,8 +127,13 @@ impl Readings {
         let force = [force.x, force.y, force.z];
         if force.iter().all(|value| value.is_finite()) {
             self.counts[1] += 1;
+            let (arrival, stamp) = (Instant::now(), message.header.stamp.seconds());
+            let repeated = self.wrench.as_ref();
+            let repeated = repeated.filter(|before| stamp > 0.0 && before.stamp == stamp);
             self.wrench = Some(WrenchReading {
-                arrival: Instant::now(),
+                arrival,
+                measured: repeated.map_or(arrival, |before| before.measured),
+                stamp,
                 frame: message.header.frame_id,
                 force,
             });
@@ -263,6 +272,25 @@ mod tests {
         readings.take_joints(&names(), &state(&["a"], &[1.0]), gid(1));
         assert_eq!(readings.missing_joint.as_deref(), Some("b"));
         assert_eq!(readings.publisher_count(), 0);
+    }
+
+    #[test]
+    fn a_wrench_with_the_stamp_of_the_one_before_is_no_new_measurement() {
+        let mut readings = Readings::default();
+        let mut take = |stamp: f64| {
+            let mut message = WrenchStamped::default();
+            message.header.stamp = crate::messages::Stamp::from_seconds(stamp);
+            std::thread::sleep(Duration::from_millis(1));
+            readings.take_wrench(message);
+            readings.wrench.clone().unwrap()
+        };
+        let [first, second, third] = [1.0, 1.0, 1.01].map(&mut take);
+        assert_eq!(second.measured, first.measured);
+        assert!(second.arrival > first.arrival);
+        assert_eq!(third.measured, third.arrival);
+        // A stamp of 0 says nothing.
+        let [fourth, fifth] = [0.0, 0.0].map(take);
+        assert!(fifth.measured > fourth.measured);
     }
 
     #[test]

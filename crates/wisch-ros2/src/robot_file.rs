@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 const SCHEMA: u32 = 1;
 /// The highest DDS domain.
 const MAX_DOMAIN: u16 = 232;
+/// The largest range of a force sensor [N].
+const MOST_RANGE_N: f64 = 1e5;
 
 /// A commented robot file, which `wisch-ros2 template` prints. A test reads it and compares its values with the defaults.
 pub(crate) const TEMPLATE: &str = include_str!("template.toml");
@@ -154,6 +156,8 @@ pub(crate) struct ForceTable {
     pub topic: Option<String>,
     /// Link in whose axes the wrench is expressed, if the frame of its header is not a link of the URDF.
     pub link: Option<String>,
+    /// Largest force along an axis that the sensor measures [N]; `None` if it is not known.
+    pub range_n: Option<f64>,
     /// Service that tares the sensor.
     pub tare: Option<String>,
     #[serde(default = "start_force_mode")]
@@ -197,6 +201,8 @@ pub(crate) struct LimitTable {
     pub start_rad: f64,
     pub state_age_ms: f64,
     pub wrench_age_ms: f64,
+    /// Age from which samples state a wrench as stale; `None` is half of `wrench_age_ms`.
+    pub wrench_stale_ms: Option<f64>,
     pub lag_m: f64,
     pub depth_m: f64,
 }
@@ -209,9 +215,17 @@ impl Default for LimitTable {
             start_rad: 0.02,
             state_age_ms: 50.0,
             wrench_age_ms: 20.0,
+            wrench_stale_ms: None,
             lag_m: 0.03,
             depth_m: 0.02,
         }
+    }
+}
+
+impl LimitTable {
+    /// Age from which samples state a wrench as stale [ms].
+    pub fn stale_ms(&self) -> f64 {
+        self.wrench_stale_ms.unwrap_or(self.wrench_age_ms / 2.0)
     }
 }
 
@@ -367,6 +381,21 @@ impl RobotFile {
                 return Err(self.fault(table, key, value, &format!("{least} to {most}")));
             }
         }
+        if let Some(stale) = limits.wrench_stale_ms
+            && !(1.0..=limits.wrench_age_ms).contains(&stale)
+        {
+            let expected = format!("1 to limits.wrench_age_ms = {}", limits.wrench_age_ms);
+            return Err(self.fault("limits", "wrench_stale_ms", stale, &expected));
+        }
+        if let Some(range) = force.range_n
+            && !(range > limits.force_n && range <= MOST_RANGE_N)
+        {
+            let expected = format!(
+                "more than limits.force_n = {}, at most {MOST_RANGE_N}: a force beyond the sensor's range is no overload",
+                limits.force_n
+            );
+            return Err(self.fault("force", "range_n", range, &expected));
+        }
         Ok(())
     }
 
@@ -508,6 +537,17 @@ mod tests {
         );
         let text = SMALL.replace("\"none\"", "\"pressed_pose\"");
         assert!(error(&text).contains("not supported yet"));
+        let text = format!("{SMALL}range_n = 30\n");
+        assert!(
+            error(&text).starts_with(
+                "R.toml:8: force.range_n = 30: expected more than limits.force_n = 30"
+            )
+        );
+        let text = format!("{SMALL}[limits]\nwrench_stale_ms = 21\n");
+        assert_eq!(
+            error(&text),
+            "R.toml:9: limits.wrench_stale_ms = 21: expected 1 to limits.wrench_age_ms = 20"
+        );
         let text = SMALL.replace("schema = 1", "schema = 7");
         assert_eq!(error(&text), "R.toml:1: schema = 7: expected 1");
     }

@@ -92,7 +92,7 @@ impl<Q: Message + Clone + 'static, A: Message + 'static> Service<Q, A> {
                 return Ok(answer);
             }
             if Instant::now() >= deadline {
-                let seconds = limit.as_secs_f64();
+                let seconds = (100.0 * limit.as_secs_f64()).round() / 100.0;
                 return Err(LinkError(format!(
                     "service {} has not answered for {seconds} s",
                     self.name

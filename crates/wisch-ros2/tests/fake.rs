@@ -7,11 +7,12 @@ use std::sync::atomic::{AtomicBool, AtomicU16, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use wisch::follow::Workcell;
+use wisch::interpret::WrenchQuality;
 use wisch::represent::{Observation, Task};
 use wisch::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink, Stage,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, Pause, RobotState, SampleSink, Stage,
 };
-use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, ProcessOptions, load_task};
+use wisch_io::{LoadOptions, LoadedTask, PauseSwitch, ProcessExecutor, ProcessOptions, load_task};
 
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_wisch-ros2");
 /// Limits of age in these tests [ms]: a loaded computer delays messages.
@@ -306,16 +307,21 @@ pub fn start_executor(robot_file: &Path, options: &[&str]) -> Result<Recorded, E
     let mut words = vec!["execute".to_owned(), robot_file.display().to_string()];
     words.extend(options.iter().map(|option| (*option).to_owned()));
     let stop = Arc::new(AtomicBool::new(false));
+    let pause = Arc::new(PauseSwitch::default());
     let settings = ProcessOptions {
         stop: Arc::clone(&stop),
+        pause: Arc::clone(&pause),
         ..ProcessOptions::default()
     };
     let process = ProcessExecutor::start_with(PROGRAM, &words, settings)?;
     Ok(Recorded {
         process,
         stop,
+        pause,
+        pauses: Vec::new(),
         endings: Vec::new(),
         error: None,
+        qualities: Vec::new(),
     })
 }
 
@@ -324,8 +330,13 @@ pub struct Recorded {
     process: ProcessExecutor,
     /// Stops the motion when it is set.
     pub stop: Arc<AtomicBool>,
+    /// Pauses the motion and lets it continue.
+    pub pause: Arc<PauseSwitch>,
+    pub pauses: Vec<Pause>,
     pub endings: Vec<Ending>,
     pub error: Option<String>,
+    /// Quality of the force of each sample.
+    pub qualities: Vec<WrenchQuality>,
 }
 
 impl Executor for Recorded {
@@ -346,9 +357,16 @@ impl Executor for Recorded {
         order: &MotionOrder<'_>,
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
-        let execution = self.process.execute(order, sink);
+        let qualities = &mut self.qualities;
+        let execution = self.process.execute(order, &mut |sample| {
+            qualities.push(sample.status.wrench);
+            sink(sample)
+        });
         match &execution {
-            Ok(execution) => self.endings.push(execution.ending.clone()),
+            Ok(execution) => {
+                self.pauses.extend(execution.pauses.iter().cloned());
+                self.endings.push(execution.ending.clone());
+            }
             Err(error) => self.error = Some(error.to_string()),
         }
         execution

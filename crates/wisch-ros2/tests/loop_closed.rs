@@ -2,6 +2,8 @@
 
 use crate::fake::{ARM_BOARD, CHOPPING_BOARD, FIVE, FakeRobot, Scenario, execute_round, task};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
+use wisch::interpret::WrenchQuality;
 use wisch::run::{Ending, Executor, RunEvent, Stage};
 use wisch_sim::{WorkSurface, World};
 
@@ -133,6 +135,23 @@ fn in_the_air_there_is_no_force_mode_and_no_tare() {
     );
     let forbidden = |text: &&&str| text.starts_with("force") || text.starts_with("tare");
     assert_eq!(texts.iter().find(forbidden), None);
+    let untared = |quality: &WrenchQuality| *quality == WrenchQuality::Untared;
+    assert!(executor.qualities.len() > 100 && executor.qualities.iter().all(untared));
+}
+
+#[test]
+fn the_force_is_stated_as_untared_until_the_tare_of_each_motion() {
+    let fake = FakeRobot::commissioned(|file| file);
+    let mut executor = fake.executor().unwrap();
+    for round in 1..=2 {
+        assert_eq!(execute_round(&mut executor), Ok(Ending::Complete));
+        let mut kinds = std::mem::take(&mut executor.qualities);
+        // On a loaded computer, a wrench may come late.
+        kinds.retain(|quality| *quality != WrenchQuality::Stale);
+        kinds.dedup();
+        let expected = [WrenchQuality::Untared, WrenchQuality::Ok];
+        assert_eq!(kinds, expected, "round {round}");
+    }
 }
 
 #[test]
@@ -173,6 +192,12 @@ fn controllers_that_cannot_be_handed_back_are_an_error() {
     let cell = Arc::clone(&session.planned_round().unwrap().cell);
     executor.prepare(&cell).unwrap();
     fake.kill();
+    let begin = Instant::now();
     let error = executor.finish().unwrap_err().to_string();
     assert!(error.contains("/controller_manager"), "{error}");
+    let names = "stay active: jtc, force_mode_controller.";
+    assert!(error.contains(names), "{error}");
+    // After an error, wisch waits for 2 s.
+    let elapsed = begin.elapsed();
+    assert!(elapsed < Duration::from_secs(2), "{elapsed:?}");
 }

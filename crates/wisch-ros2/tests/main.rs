@@ -7,4 +7,5 @@ mod fake;
 mod faults;
 mod limits;
 mod loop_closed;
+mod pauses;
 mod refusals;

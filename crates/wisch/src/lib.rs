@@ -71,6 +71,7 @@
 //! Units are SI and radians; frames are named in the identifiers (`surface_from_tool`).
 
 pub mod control;
+mod digits;
 pub mod follow;
 pub mod goal;
 pub mod interpret;

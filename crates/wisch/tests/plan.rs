@@ -387,6 +387,29 @@ fn a_surface_too_crowded_for_the_tool_is_an_error() {
 }
 
 #[test]
+fn a_bandwidth_far_beyond_the_surface_is_named_as_the_cause() {
+    // Samples lie 1 m apart: the only one on the board is its first corner, and a block stands there.
+    let block = cuboid([0.1, 0.1, 0.1], [-0.15, -0.09, 0.05]);
+    let task = task(Action::Absorb, BOARD, vec![block]);
+    let with = |bandwidth| PlanConfig {
+        bandwidth: Some(bandwidth),
+        ..config(CoverageStrategy::Kde)
+    };
+    assert!(plan(&task, &with(0.06)).is_ok());
+    let error = plan(&task, &with(10.0)).unwrap_err();
+    assert!(
+        matches!(error, PlanError::BandwidthTooWide { .. }),
+        "{error}"
+    );
+    assert!(
+        error
+            .to_string()
+            .contains("plan.bandwidth_m = 10 has no sample"),
+        "{error}"
+    );
+}
+
+#[test]
 fn what_stands_apart_is_not_joined_to_the_goal_but_within_reach() {
     // A wall across the surface: the far side has nodes but no edge to the goal.
     let task = task(

@@ -11,7 +11,7 @@ use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
     NoExecutor, PlannedRound, RobotState, Round, RunConfig, RunError, RunEvent, SampleSink,
-    Session, Stage, StopCause, StopKind, ignore_events,
+    Session, Stage, StopCause, StopKind, TelemetrySample, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
@@ -694,6 +694,89 @@ fn a_motion_that_was_broken_off_is_not_complete_whatever_the_executor_says() {
         .run(&mut Obstinate(Toy::new(0.95)), &mut stop_at_5_s)
         .expect("it ends");
     assert_eq!(session.rounds()[0].execution.ending, Ending::Stopped);
+}
+
+/// Reports its first sample late, with the joints in the opposite order or in their own.
+struct Late {
+    is_reversed: bool,
+}
+
+impl Executor for Late {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let at = order.setpoint(3.0).expect("it moves");
+        let mut positions = at.positions.clone();
+        if self.is_reversed {
+            positions.reverse();
+        }
+        let touch = TouchSample::new(at.time, at.world_from_tool, order.task.surface_reaction());
+        let sample = TelemetrySample {
+            positions: &positions,
+            ..TelemetrySample::from_touch(&touch, at.motion, at.phase)
+        };
+        let _ = sink(&sample);
+        Err(ExecutorError::new("it was accepted"))
+    }
+}
+
+#[test]
+fn a_first_sample_is_checked_at_any_time() {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (is_reversed, expected) in [
+        (true, "from its motion until then"),
+        (false, "it was accepted"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Late { is_reversed }, &mut ignore_events);
+        let error = error.expect_err("it fails").to_string();
+        assert!(error.contains(expected), "{is_reversed}: {error}");
+    }
+}
+
+#[test]
+fn velocities_are_checked_without_positions() {
+    /// Measures velocities alone.
+    struct Turning(Vec<f64>);
+
+    impl Executor for Turning {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            Ok(Some(RobotState {
+                positions: Vec::new(),
+                velocities: self.0.clone(),
+            }))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (velocities, expected) in [
+        (
+            vec![0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0],
+            "moves at 0.500 rad/s",
+        ),
+        (
+            vec![0.0; 3],
+            "reported 3 joint velocities before the motion, expected 7",
+        ),
+        (vec![0.0; 7], "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Turning(velocities), &mut ignore_events);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
 }
 
 #[test]

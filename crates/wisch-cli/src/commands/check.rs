@@ -278,28 +278,37 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
                 .to_owned(),
         )),
     }
+    lines.push(("target", prospect(prepared, prediction, abandons)));
+    let mut text = format!("{}: {heading}\n", task.name);
+    for (name, value) in lines {
+        text += &format!("  {name:<10} {value}\n");
+    }
+    text
+}
+
+/// The target, and whether the plan is predicted to reach it.
+fn prospect(prepared: &LoadedTask, prediction: &Prediction, abandons: bool) -> String {
     let target = prepared.run.target;
     let what = if abandons {
         "what the robot follows"
     } else {
         "this plan"
     };
-    lines.push((
-        "target",
-        match target - performance.ratio() {
-            missing if missing > 0.0 => format!(
-                "{}: {what} is predicted to fall short by {:.1} points in one round",
-                percent(target),
-                100.0 * missing
-            ),
-            _ => format!("{}, which {what} is predicted to reach", percent(target)),
-        },
-    ));
-    let mut text = format!("{}: {heading}\n", task.name);
-    for (name, value) in lines {
-        text += &format!("  {name:<10} {value}\n");
+    let is_exceeded = (prepared.task.treatment)
+        .is_some_and(|treatment| treatment.exceeds_limit([(&prediction.particles, 1.0)], target));
+    match target - prediction.performance.ratio() {
+        missing if missing > 0.0 => format!(
+            "{}: {what} is predicted to fall short by {:.1} points in one round",
+            percent(target),
+            100.0 * missing
+        ),
+        _ if is_exceeded => format!(
+            "{}: {what} is predicted to reach it, but more than {} of the points have more passes than polish.max_passes",
+            percent(target),
+            percent(1.0 - target)
+        ),
+        _ => format!("{}, which {what} is predicted to reach", percent(target)),
     }
-    text
 }
 
 fn action(prepared: &LoadedTask) -> String {

@@ -8,11 +8,8 @@ use wisch::geometry::{
     Mesh, MeshFormat, Polygon, RIGID_DEPTH, Region, Vector2, footprint as mesh_footprint,
 };
 use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry, ToolMesh};
-use wisch_io::{KnowledgeSource, read};
+use wisch_io::{KnowledgeSource, check_tool_extent, find_underside_offset, read, up_axis_remark};
 use wisch_report::footprint_drawing;
-
-/// A tool longer than this is probably given in millimetres [m].
-const SUSPICIOUS_LENGTH: f64 = 5.0;
 
 /// A tool with the source of its footprint.
 struct Touch {
@@ -20,6 +17,8 @@ struct Touch {
     compression_depth: f64,
     /// Whether the knowledge base gives an area of effect, which replaces the contact area.
     by_area_of_effect: bool,
+    /// A remark on an axis that the mesh file declares to point up.
+    up_axis: Option<String>,
 }
 
 /// Computes the footprint and prints its measures.
@@ -108,6 +107,7 @@ fn touch_of(
 ) -> Result<Touch, Failure> {
     let in_tool = |error: &dyn std::fmt::Display| Failure::new(format!("{name}: {error}"));
     let mesh = Mesh::parse(bytes, format, name).map_err(Failure::new)?;
+    check_tool_extent(&mesh).map_err(|problem| in_tool(&problem))?;
     let contact = mesh_footprint(&mesh, compression_depth).map_err(|error| in_tool(&error))?;
     let (footprint, size) = match area_of_effect {
         Some(AreaOfEffect { width_m, depth_m }) => {
@@ -134,6 +134,7 @@ fn touch_of(
         },
         compression_depth,
         by_area_of_effect: area_of_effect.is_some(),
+        up_axis: up_axis_remark(name, bytes),
     })
 }
 
@@ -176,12 +177,16 @@ fn in_words(touch: &Touch, drawing: Option<&Path>) -> String {
             "the tool acts on the whole area of effect, not only in the contact area".to_owned(),
         ));
     }
-    if size.amax() > SUSPICIOUS_LENGTH {
+    if let Some(offset) = find_underside_offset(&tool.mesh, 0.0, touch.compression_depth) {
         lines.push((
             "note",
-            "the tool is longer than 5 m: wisch reads meshes in metres; is this mesh in millimetres?".to_owned(),
+            format!(
+                "the lowest point of the mesh lies at z = {:.1} mm; tasks take z = 0 of the file for the contact plane",
+                1e3 * offset
+            ),
         ));
     }
+    lines.extend((touch.up_axis.clone()).map(|remark| ("note", remark)));
     if let Some(path) = drawing {
         lines.push(("drawing", path.display().to_string()));
     }

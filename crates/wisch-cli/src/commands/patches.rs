@@ -8,12 +8,14 @@ use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
 use wisch::geometry::{Atlas, Sheet};
-use wisch::represent::SurfaceShape;
+use wisch::represent::{Action, SurfaceShape};
 use wisch_io::{KeptFiles, LoadedTask, ParticleSource, REPORT_FILE, Summary};
 use wisch_report::{PatchFound, PatchRow, PatchesPageInput, patches_page};
 
 /// The schema of the object.
 const SCHEMA: u32 = 1;
+/// What the passes of patches do not count.
+const SEAMS: &str = "passes are counted for each patch alone: strokes of neighbouring patches overlap at seams, so that points there have more passes than stated, and max_passes is not checked over patches";
 
 /// The patches of a task.
 pub(super) struct TaskPatches {
@@ -32,6 +34,11 @@ impl TaskPatches {
             &with_settings(args, &[("surface.mesh.patch", "1".to_owned())]),
             &KeptFiles::default(),
         )?;
+        if first.task.action == Action::Dispense {
+            let problem = "surface.mesh.patch = \"all\" does not work with the action dispense: strokes of neighbouring patches overlap at seams, and their coats add up there, which no plan of a patch takes into account";
+            return Err(stage_failure(args, problem)
+                .with_help("coat one patch: surface.mesh.patch = 1, and mask its neighbours"));
+        }
         let SurfaceShape::Mesh(mesh) = &first.task.surface.shape else {
             return Err(internal("a patch is not of a mesh"));
         };
@@ -122,6 +129,8 @@ pub(super) struct PatchesSummary {
     distance_total_m: f64,
     /// Number of patches of the surface.
     patch_count: usize,
+    /// What the numbers of a treatment leave out at seams; null for other actions, and for a single patch.
+    seam_note: Option<&'static str>,
     /// Whether every estimate is one: false if the performance on a patch is unknown, so that the estimate is a guess.
     is_conclusive: bool,
     /// The summary of each patch that was wiped.
@@ -161,6 +170,8 @@ impl PatchesSummary {
                 .sum(),
             distance_total_m: patches.iter().map(|patch| patch.distance_total_m).sum(),
             patch_count: count,
+            seam_note: (count > 1 && patches.iter().any(|patch| patch.treatment.is_some()))
+                .then_some(SEAMS),
             is_conclusive: (patches.iter()).all(|patch| {
                 (patch.execution.as_ref()).is_none_or(|execution| execution.is_conclusive)
             }),
@@ -251,6 +262,9 @@ impl PatchesSummary {
             "distance",
             format!("{contact:.2} m in contact, {total:.2} m total"),
         );
+        if let Some(note) = self.seam_note {
+            add("seams", note.to_owned());
+        }
         facts
     }
 }

@@ -65,10 +65,12 @@ fn run_to_end(mut program: Command) -> Result<Outcome, Failure> {
     }
 }
 
-/// The executor of a ROS 2 robot, which asks the operator before each round.
-pub struct OperatedRobot {
-    process: ProcessExecutor,
-    asks: bool,
+/// The executor of a ROS 2 robot, which asks the operator before each round, and before controllers become active.
+pub struct OperatedRobot<E = ProcessExecutor> {
+    process: E,
+    /// Asks a question and returns whether the operator permits it; `None` permits every round.
+    permit: Option<fn(&str) -> bool>,
+    is_prepared: bool,
 }
 
 impl OperatedRobot {
@@ -98,16 +100,37 @@ impl OperatedRobot {
         let process = process.map_err(|error| {
             Failure::new(error).with_help("docs/ros2.md says what is refused, and what to do")
         })?;
-        Ok(Self { process, asks })
+        let permit: fn(&str) -> bool = ask;
+        Ok(Self {
+            process,
+            permit: asks.then_some(permit),
+            is_prepared: false,
+        })
     }
 }
 
-impl Executor for OperatedRobot {
+impl<E: Executor> OperatedRobot<E> {
+    /// Prepares the robot unless it is prepared.
+    fn prepare_once(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
+        if !self.is_prepared {
+            self.process.prepare(cell)?;
+            self.is_prepared = true;
+        }
+        Ok(())
+    }
+}
+
+impl<E: Executor> Executor for OperatedRobot<E> {
     fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
-        self.process.prepare(cell)
+        if self.permit.is_some() {
+            // Controllers become active only after the first question.
+            return Ok(());
+        }
+        self.prepare_once(cell)
     }
 
     fn finish(&mut self) -> Result<(), ExecutorError> {
+        self.is_prepared = false;
         self.process.finish()
     }
 
@@ -117,14 +140,20 @@ impl Executor for OperatedRobot {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
         let round = order.round;
+        let first = if self.is_prepared {
+            ""
+        } else {
+            "controllers that are inactive become active, and "
+        };
         let question = format!(
-            "round {round}: the robot moves for {:.0} s as planned. Is nobody within reach? Type y to move it",
+            "round {round}: {first}the robot moves for {:.0} s as planned. Is nobody within reach? Type y to move it",
             order.followed.duration()
         );
-        if self.asks && !ask(&question) {
+        if self.permit.is_some_and(|permit| !permit(&question)) {
             let text = format!("round {round}: the operator did not answer y, so nothing moves");
             return Err(ExecutorError::new(text));
         }
+        self.prepare_once(order.cell)?;
         self.process.execute(order, sink)
     }
 
@@ -144,4 +173,94 @@ pub fn raise(surface: &mut Surface, height: f64) {
     remark(&format!(
         "the robot wipes {height} m above the surface, without force; the estimate means nothing"
     ));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ops::ControlFlow;
+    use wisch::follow::Followed;
+    use wisch::run::Ending;
+    use wisch_io::{LoadOptions, load_task};
+
+    /// An executor that notes what it is asked for.
+    #[derive(Default)]
+    struct NotedCalls(Vec<&'static str>);
+
+    impl Executor for NotedCalls {
+        fn prepare(&mut self, _: &Workcell) -> Result<(), ExecutorError> {
+            self.0.push("prepare");
+            Ok(())
+        }
+
+        fn finish(&mut self) -> Result<(), ExecutorError> {
+            self.0.push("finish");
+            Ok(())
+        }
+
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            self.0.push("execute");
+            Ok(Execution::from_positions(&[]))
+        }
+
+        fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+            Ok(None)
+        }
+    }
+
+    /// Two rounds on a robot; returns what was asked of it, and how the rounds ended.
+    fn two_rounds(permit: Option<fn(&str) -> bool>) -> (Vec<&'static str>, Vec<bool>) {
+        let loaded = load_task("arm-board".as_ref(), &LoadOptions::default()).unwrap();
+        let robot = loaded.robot().unwrap().unwrap();
+        let record = loaded.file.robot.as_ref().unwrap();
+        let config = record.workcell_config(&loaded.task);
+        let cell = Workcell::new(robot.model, robot.srdf.as_ref(), &loaded.task, &config).unwrap();
+        let mut operated = OperatedRobot {
+            process: NotedCalls::default(),
+            permit,
+            is_prepared: false,
+        };
+        operated.prepare(&cell).unwrap();
+        operated.process.0.push("prepared");
+        let at_rest = Followed::new(*cell.tip_from_tool());
+        let ended = [1, 2].map(|round| {
+            let order = MotionOrder {
+                round,
+                seed: 1,
+                task: &loaded.task,
+                cell: &cell,
+                followed: &at_rest,
+            };
+            let executed = operated.execute(&order, &mut |_| ControlFlow::Continue(()));
+            executed.is_ok_and(|execution| execution.ending == Ending::Complete)
+        });
+        operated.finish().unwrap();
+        (operated.process.0, ended.to_vec())
+    }
+
+    #[test]
+    fn controllers_become_active_only_after_the_first_permission() {
+        let (calls, ended) = two_rounds(Some(|_| false));
+        assert_eq!(calls, ["prepared", "finish"]);
+        assert_eq!(ended, [false, false]);
+        let (calls, ended) = two_rounds(Some(|_| true));
+        assert_eq!(
+            calls,
+            ["prepared", "prepare", "execute", "execute", "finish"]
+        );
+        assert_eq!(ended, [true, true]);
+        let names_controllers = |question: &str| question.contains("become active");
+        let (calls, ended) = two_rounds(Some(names_controllers));
+        assert_eq!(calls, ["prepared", "prepare", "execute", "finish"]);
+        assert_eq!(ended, [true, false]);
+        let (calls, _) = two_rounds(None);
+        assert_eq!(
+            calls,
+            ["prepare", "prepared", "execute", "execute", "finish"]
+        );
+    }
 }

@@ -69,7 +69,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             let doubts = interpretation
                 .doubts
                 .iter()
-                .map(|doubt| ("", format!("   {doubt}")));
+                .map(|doubt| ("", format!("   {}", doubt.describe_for_executor())));
             std::iter::once((name, format!("{number}: {text}"))).chain(doubts)
         })
         .collect()

@@ -208,7 +208,8 @@ fn work_on_patches(
     let has_robot = choose_robot(extent, &any_robot, task_args, &first)?.is_some();
     let out = out_folder(results, &first.task.name, extent.suffix(has_robot));
     if out.join(PLAN_FILE).exists() {
-        return Err(Failure::new("the folder holds results of another task")
+        let problem = "the folder holds results of a single surface or patch, and those of all patches do not replace them, not even with --force";
+        return Err(Failure::new(problem)
             .within(&out)
             .with_help("choose another folder with --out"));
     }

@@ -129,8 +129,13 @@ fn performance_in_words(
     prediction: &PredictionSummary,
     rounds: &[FinishedRound],
 ) -> String {
-    let verdict = match goal_of(rounds, prediction.target_performance) {
+    let target = prediction.target_performance;
+    let above = (summary.treatment).and_then(|treatment| treatment.share_above_max_passes);
+    let verdict = match goal_of(rounds, target) {
         Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+        _ if prediction.goal == "not met" && above.is_some_and(|above| above > 1.0 - target) => {
+            "not met: too many points above max_passes"
+        }
         _ => prediction.goal,
     };
     let (word, performance) = match &summary.execution {
@@ -149,7 +154,7 @@ fn performance_in_words(
         "{word} {} of {} {what} (target {}: {verdict})",
         percent(performance),
         summary.particles,
-        percent(prediction.target_performance),
+        percent(target),
     )
 }
 
@@ -165,6 +170,10 @@ pub(super) fn in_words(
             "performance",
             performance_in_words(summary, prediction, rounds),
         ));
+        if let Some(following) = &summary.following {
+            let first = following.first_fault.as_deref();
+            lines.extend(faults_in_words(following.faults, first));
+        }
         lines.extend(rounds_in_words(rounds, prediction.target_performance));
         if summary.execution.is_some() {
             let predicted = percent(prediction.predicted_performance);
@@ -245,7 +254,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         mean_depth_m,
     } = treatment;
     let mut passes =
-        format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the surface");
+        format!("mean {mean_passes:.2}, standard deviation {passes_deviation:.2} over the points");
     if let (Some(most), Some(above)) = (max_passes, share_above_max_passes)
         && *above > 0.0
     {
@@ -321,17 +330,27 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
             ),
         ));
     }
-    if following.faults > 0 {
-        let faults = counted(following.faults, "fault");
-        lines.push((
-            "faults",
-            format!(
-                "{faults}, see {}",
-                path_in_results(FOLLOWING_FILE).display()
-            ),
-        ));
-    }
     lines
+}
+
+/// The verdict on a motion with faults, and the first of them; nothing for a motion without a fault.
+fn faults_in_words(count: usize, first: Option<&str>) -> Vec<(&'static str, String)> {
+    let Some(first) = first else {
+        return Vec::new();
+    };
+    let verdict = Verdict::UnsafeMotion.as_str();
+    let faults = counted(count, "fault");
+    let file = path_in_results(FOLLOWING_FILE);
+    vec![
+        (
+            "verdict",
+            format!("{verdict}: the audit found {faults}, so the motion is not executed"),
+        ),
+        (
+            "first fault",
+            format!("{first}; all faults are in {}", file.display()),
+        ),
+    ]
 }
 
 /// The motion of the robot in the summary for people.
@@ -365,4 +384,23 @@ fn motion_in_words(following: &FollowingSummary, in_rounds: &str) -> [(&'static 
             ),
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::faults_in_words;
+
+    #[test]
+    fn a_motion_with_faults_has_a_verdict_and_names_the_first() {
+        assert!(faults_in_words(0, None).is_empty());
+        let lines = faults_in_words(2, Some("at 1.000 s: the tool leans"));
+        let expected = "unsafe motion: the audit found 2 faults, so the motion is not executed";
+        assert_eq!(lines[0], ("verdict", expected.to_owned()));
+        let (name, fault) = &lines[1];
+        assert_eq!(*name, "first fault");
+        assert!(
+            fault.starts_with("at 1.000 s: the tool leans; all faults are in "),
+            "{fault}"
+        );
+    }
 }

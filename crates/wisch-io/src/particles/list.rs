@@ -2,7 +2,7 @@
 
 use super::ParticleSourceError;
 use std::fmt::Write;
-use wisch::geometry::Point2;
+use wisch::geometry::{Point2, Polygon, encloses};
 use wisch::represent::{
     DirtArea, Fate, MAX_PARTICLES, Observation, ParticleDistribution, ParticleError,
 };
@@ -13,6 +13,8 @@ const TREATED_HEADER: [&str; 6] = ["particle", "x_m", "y_m", "fate", "edge", "pa
 const ESTIMATE_HEADER: [&str; 5] = ["particle", "x_m", "y_m", "fate", "edge"];
 /// Maximum absolute coordinate in a list, surface frame [m].
 const MAX_POSITION: f64 = 100.0;
+/// Distance from a border up to which a position counts as on it [m].
+const BORDER: f64 = 1e-9;
 
 /// Reads particles from a CSV text: two columns x and y \[m\] in the surface frame, without a header or with one that
 /// names them in either order (`x,y`, `y_m,x_m`; `x_mm,y_mm` for millimetres); or a list with fates as
@@ -38,12 +40,8 @@ pub fn csv_particles(
             problem,
         };
         match row.fate {
-            Fate::OnSurface | Fate::Treated { .. } if !area.outline.contains(row.position) => {
-                let Point2 { coords } = row.position;
-                return Err(at(format!(
-                    "({}, {}) m is outside the surface's outline",
-                    coords.x, coords.y
-                )));
+            Fate::OnSurface | Fate::Treated { .. } => {
+                check_place(area.outline, row.position).map_err(at)?;
             }
             Fate::OffSurface { edge } if usize::from(edge) >= edges && row.fate != Fate::FALLEN => {
                 return Err(at(format!(
@@ -126,6 +124,30 @@ pub fn particles_from_csv(
     text: &[u8],
 ) -> Result<ParticleDistribution, ParticleSourceError> {
     distribution(&rows(file, text)?)
+}
+
+/// Whether a position lies on the surface or on one of its borders; if not, the error says where it lies.
+fn check_place(outline: &Polygon, position: Point2) -> Result<(), String> {
+    let is_on_border = || {
+        outline
+            .edges()
+            .any(|edge| edge.distance(position) <= BORDER)
+    };
+    if outline.contains(position) || is_on_border() {
+        return Ok(());
+    }
+    let mut edges = outline.edges();
+    let is_within: Vec<bool> = (outline.rings())
+        .map(|ring| encloses(edges.by_ref().take(ring.len()), position))
+        .collect();
+    let place = format!("({}, {}) m", position.x, position.y);
+    match is_within.iter().skip(1).position(|&within| within) {
+        Some(hole) if is_within[0] => Err(format!(
+            "{place} is in hole {} of the surface, where no dirt lies (holes are counted from 1, as in surface.holes_m or the mesh)",
+            hole + 1
+        )),
+        _ => Err(format!("{place} is outside the surface's outline")),
+    }
 }
 
 struct Row {
@@ -250,8 +272,16 @@ fn position_row(
     per_metre: f64,
 ) -> Result<(Point2, Fate), String> {
     let [first, second] = cells else {
+        let has = |separator: char| cells.iter().any(|cell| cell.contains(separator));
+        let hint = match cells {
+            _ if has(';') => "the numbers are separated by semicolons",
+            _ if has('\t') => "the numbers are separated by tabs",
+            [_, _, ""] => "the line ends in a comma",
+            [_] => "this line has no comma",
+            _ => "other columns are not read",
+        };
         return Err(format!(
-            "{} columns, expected 2: x and y in metres",
+            "{} columns, expected 2: x and y in metres, separated by a comma; {hint}",
             cells.len()
         ));
     };

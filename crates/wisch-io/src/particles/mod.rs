@@ -57,14 +57,16 @@ pub enum ParticleSourceError {
         problem: String,
     },
     /// A list without particles.
-    #[error("{file}: the list has no particles; at least 1 is required")]
+    #[error(
+        "{file}: the list has no particles; at least 1 is required, except in the list of an observation"
+    )]
     EmptyList {
         /// The file.
         file: String,
     },
     /// A file without anything to read.
     #[error(
-        "{file}: there is neither a row nor a header; a list that is meant to be empty has the header x,y"
+        "{file}: there is neither a row nor a header; write a place per line, x,y in metres. Only the list of an observation may be empty, and has the header x,y then"
     )]
     Blank {
         /// The file.

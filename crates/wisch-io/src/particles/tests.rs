@@ -50,7 +50,7 @@ fn a_list_is_refused_with_its_line_and_value() {
     for (text, expected) in [
         (
             "",
-            "crumbs.csv: there is neither a row nor a header; a list that is meant to be empty has the header x,y",
+            "crumbs.csv: there is neither a row nor a header; write a place per line, x,y in metres. Only the list of an observation may be empty",
         ),
         (
             "x,y\n",
@@ -71,11 +71,19 @@ fn a_list_is_refused_with_its_line_and_value() {
         ("0,0\n0,1e300\n", "crumbs.csv:2: y = 1"),
         (
             "0,0,0\n",
-            "crumbs.csv:1: 3 columns, expected 2: x and y in metres",
+            "crumbs.csv:1: 3 columns, expected 2: x and y in metres, separated by a comma; other columns are not read",
         ),
         (
             "0;0\n",
-            "crumbs.csv:1: 1 columns, expected 2: x and y in metres",
+            "crumbs.csv:1: 1 columns, expected 2: x and y in metres, separated by a comma; the numbers are separated by semicolons",
+        ),
+        (
+            "0\t0\n",
+            "crumbs.csv:1: 1 columns, expected 2: x and y in metres, separated by a comma; the numbers are separated by tabs",
+        ),
+        (
+            "0,0,\n",
+            "crumbs.csv:1: 3 columns, expected 2: x and y in metres, separated by a comma; the line ends in a comma",
         ),
         (
             &format!("{estimate}1,0,0,on_surface,\n"),
@@ -101,6 +109,28 @@ fn a_list_is_refused_with_its_line_and_value() {
         let error = listed(text).expect_err(text).to_string();
         assert!(error.starts_with(expected), "{text:?}: {error}");
     }
+}
+
+#[test]
+fn all_borders_belong_to_the_surface_and_holes_are_named() {
+    for text in ["0.2,0\n", "-0.2,0\n", "0,0.14\n", "0,-0.14\n", "0.2,0.14\n"] {
+        assert!(listed(text).is_ok(), "{text}");
+    }
+    assert!(listed("0.2001,0\n").is_err());
+    let square = |at: f64, half: f64| {
+        let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+        corners.map(|[x, y]| Point2::new(at + x, y)).to_vec()
+    };
+    let holes = vec![square(-0.1, 0.02), square(0.1, 0.02)];
+    let outline = Polygon::new(board().outer().to_vec(), holes);
+    let bare = bare();
+    let read = |text: &str| csv_particles("crumbs.csv", text.as_bytes(), on(&outline, &bare));
+    let error = read("0.1,0\n").unwrap_err().to_string();
+    let expected = "crumbs.csv:1: (0.1, 0) m is in hole 2 of the surface";
+    assert!(error.starts_with(expected), "{error}");
+    assert!(read("0.12,0\n").is_ok() && read("0.08,0\n").is_ok());
+    let error = read("0.3,0\n").unwrap_err().to_string();
+    assert!(error.contains("outside the surface's outline"), "{error}");
 }
 
 #[test]

@@ -1,11 +1,10 @@
-//! Checks the data of executors in other processes or languages: samples, observations and the ending.
+//! Checks the data of executors in other processes or languages: samples and the ending.
 
 use super::printable::printable;
 use super::status::{PauseRecord, ResumeRecord, WrenchQualityRecord};
 use nalgebra::UnitQuaternion;
 use serde::Deserialize;
-use wisch::geometry::{Point2, Point3, Polygon, Pose, Region, Vector3, restore_pose};
-use wisch::represent::{MAX_DETECTIONS, Observation};
+use wisch::geometry::{Point3, Pose, Vector3, restore_pose};
 use wisch::run::{
     Ending, Execution, MotionOrder, Pause, RobotState, SampleSink, SampleStatus, Stamp, StampClock,
     StopCause, StopKind, TelemetrySample, TrajectoryClock, Wrench,
@@ -18,6 +17,15 @@ const UNIT_TOLERANCE: f64 = 1e-3;
 const LAST_SAMPLE: f64 = 1.0;
 /// Maximum time by which a motion's reported duration may exceed its samples [s].
 const UNMEASURED: f64 = 60.0;
+/// Maximum time of the first sample after the motion's start, without its pauses [s]; [`UNMEASURED`] if the executor
+/// reports its progress on the trajectory.
+const LATEST_BEGIN: f64 = 5.0;
+/// What a wrong time of a sample has to be.
+const SINCE_BEGIN: &str = "time_s counts from the begin of the motion, not from that of a clock";
+/// Maximum time by which a motion's reported duration may be below the time of the last sample [s].
+const ROUNDED: f64 = 0.1;
+/// Reason of a stop that the executor reports, but that was not requested.
+const UNREQUESTED: &str = "the executor reports \"stopped\" without a request to stop";
 /// Maximum time of a sample before the motion's start [s].
 const EARLY: f64 = 1.0;
 /// Minimum time between samples [s].
@@ -38,10 +46,6 @@ const MAX_ASTRAY: f64 = 10.0;
 const MAX_PAUSES: usize = 1_000;
 /// Longest time of a motion with its pauses [s].
 const MAX_TIME: f64 = 1e7;
-/// Maximum coordinate of a detection, in the surface frame [m].
-const MAX_SEEN: f64 = 1e3;
-/// Maximum number of corners of all hidden polygons.
-const MAX_HIDDEN_CORNERS: usize = 1_000;
 /// Maximum length of the reason of a protective stop [characters].
 const MAX_REASON: usize = 400;
 
@@ -124,6 +128,11 @@ impl SampleRecord {
         if time < -EARLY {
             return Err(format!(
                 "the sample at {time} s is before the start of the motion at 0 s"
+            ));
+        }
+        if time > MAX_TIME {
+            return Err(format!(
+                "time_s = {time} of a sample is beyond the limit of {MAX_TIME} s; {SINCE_BEGIN}"
             ));
         }
         let trajectory_time = self.trajectory_time_s.as_ref();
@@ -209,68 +218,6 @@ fn check(key: &str, values: &[f64], most: f64) -> Result<(), String> {
     }
 }
 
-/// An observation of the dirt, in the frame of the believed surface \[m\].
-#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ObservationRecord {
-    /// Detected dirt locations.
-    pub detections: Vec<[f64; 2]>,
-    /// Polygons that are hidden from the camera.
-    #[serde(default)]
-    pub hidden: Vec<Vec<[f64; 2]>>,
-}
-
-impl ObservationRecord {
-    /// Checks the record and returns its observation.
-    ///
-    /// # Errors
-    /// If a number is not finite or beyond the limit of coordinates, if there are more than [`MAX_DETECTIONS`] detections,
-    /// if a polygon has fewer than three corners, or if all polygons together have too many corners.
-    pub fn into_observation(self) -> Result<Observation, String> {
-        let counts = [
-            ("detections", self.detections.len(), MAX_DETECTIONS),
-            (
-                "corners of hidden polygons",
-                self.hidden.iter().map(Vec::len).sum(),
-                MAX_HIDDEN_CORNERS,
-            ),
-        ];
-        for (what, count, most) in counts {
-            if count > most {
-                return Err(format!(
-                    "observation: {count} {what} exceed the limit of {most}"
-                ));
-            }
-        }
-        let places = self.hidden.iter().flatten().chain(&self.detections);
-        for [x, y] in places {
-            if !(x.is_finite() && y.is_finite()) {
-                return Err(format!("observation: position ({x}, {y}) m is not finite"));
-            }
-            if x.abs().max(y.abs()) > MAX_SEEN {
-                return Err(format!(
-                    "observation: position ({x:e}, {y:e}) m is more than {MAX_SEEN} m from the surface's origin"
-                ));
-            }
-        }
-        if let Some((i, ring)) = (self.hidden.iter().enumerate()).find(|(_, ring)| ring.len() < 3) {
-            let corners = ring.len();
-            return Err(format!(
-                "observation: hidden[{i}] has {corners} corners; expected 3 or more"
-            ));
-        }
-        let points = |ring: Vec<[f64; 2]>| ring.into_iter().map(Point2::from).collect();
-        let hidden = self
-            .hidden
-            .into_iter()
-            .map(|ring| Polygon::new(points(ring), vec![]));
-        Ok(Observation {
-            hidden: Region::new(hidden.collect()),
-            detections: points(self.detections),
-        })
-    }
-}
-
 /// The result of an execution, as an executor reports it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -297,7 +244,7 @@ pub(super) struct StateRecord {
 }
 
 impl StateRecord {
-    /// Returns the checked state; `None` if the positions are unknown.
+    /// Returns the checked state; `None` if neither positions nor velocities are known.
     ///
     /// # Errors
     /// If a number is not finite or beyond the limit of plausible measurements.
@@ -308,7 +255,8 @@ impl StateRecord {
             positions,
             velocities,
         } = self;
-        Ok((!positions.is_empty()).then_some(RobotState {
+        let is_known = !(positions.is_empty() && velocities.is_empty());
+        Ok(is_known.then_some(RobotState {
             positions,
             velocities,
         }))
@@ -369,6 +317,8 @@ pub struct Intake<'a> {
     /// Last measured joint positions.
     positions: Vec<f64>,
     is_stopped: bool,
+    /// Whether the executor was asked to stop for another reason than an abort.
+    is_stop_requested: bool,
     stamp_clock: Option<StampClock>,
     pauses: Vec<Pause>,
     dropped: usize,
@@ -386,6 +336,7 @@ impl<'a> Intake<'a> {
             count: 0.0,
             positions: Vec::new(),
             is_stopped: false,
+            is_stop_requested: false,
             stamp_clock: None,
             pauses: Vec::new(),
             dropped: 0,
@@ -480,6 +431,11 @@ impl<'a> Intake<'a> {
         self.dropped = count;
     }
 
+    /// Notes that the executor was asked to stop, so that an ending "stopped" is its answer.
+    pub(super) const fn note_stop_request(&mut self) {
+        self.is_stop_requested = true;
+    }
+
     /// Whether the motion is to be aborted.
     pub const fn is_stopped(&self) -> bool {
         self.is_stopped
@@ -505,12 +461,14 @@ impl<'a> Intake<'a> {
     /// The motion and phase of the sample are those of its trajectory time: a robot may run slower than planned.
     ///
     /// # Errors
-    /// If the time does not rise, the rate of samples is above the limit, a number is not finite or implausible, an array
-    /// does not have one number per joint, or a quaternion is not of unit length. The error states time, value and limit.
+    /// If the time does not rise, the first sample is long after the motion's begin, the rate of samples is above the
+    /// limit, a number is not finite or implausible, an array does not have one number per joint, or a quaternion is not
+    /// of unit length. The error states time, value and limit.
     pub fn take(&mut self, sample: &SampleRecord) -> Result<(), String> {
         sample.check(self.since, self.dof)?;
         self.check_round(&format!("the sample at {} s", sample.time_s), sample.round)?;
         self.since = sample.time_s;
+        self.check_begin(sample.trajectory_time_s.is_some())?;
         self.count += 1.0;
         if self.count > BURST + MAX_RATE * (EARLY + self.since) {
             return Err(format!(
@@ -581,6 +539,22 @@ impl<'a> Intake<'a> {
         Ok(())
     }
 
+    /// Checks that the first sample is soon after the begin of the motion: a time of another clock is later.
+    fn check_begin(&self, is_progress_reported: bool) -> Result<(), String> {
+        let most = if is_progress_reported {
+            UNMEASURED
+        } else {
+            LATEST_BEGIN
+        };
+        if self.count > 0.0 || self.time_run() <= most {
+            return Ok(());
+        }
+        Err(format!(
+            "the first sample is at {} s, without pauses more than {most} s after the begin of the motion; {SINCE_BEGIN}",
+            self.since
+        ))
+    }
+
     /// Checks that a message is of this motion, if it states its round.
     fn check_round(&self, what: &str, round: Option<usize>) -> Result<(), String> {
         match round {
@@ -614,7 +588,8 @@ impl<'a> Intake<'a> {
         Ok(cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool())
     }
 
-    /// Returns the checked execution. Missing positions at the end are taken from the last sample with positions.
+    /// Returns the checked execution. Missing positions at the end are taken from the last sample with positions. A
+    /// stop that was not requested is a protective stop.
     ///
     /// # Errors
     /// If a number is not finite or implausible, times contradict the samples, or a motion is reported complete without
@@ -645,19 +620,28 @@ impl<'a> Intake<'a> {
             self.time_reported().max(end) + UNMEASURED
         };
         let duration = done.duration_s;
-        let stop = match &done.ending {
+        let stopped_at = match &done.ending {
             EndingRecord::ProtectiveStop { time_s, .. } => {
                 Some(("protective_stop.time_s", *time_s))
             }
             EndingRecord::Stop { time_s, .. } => Some(("stop.time_s", *time_s)),
             EndingRecord::Complete | EndingRecord::Stopped => None,
         };
-        for (key, time) in [Some(("duration_s", duration)), stop].into_iter().flatten() {
+        for (key, time) in [Some(("duration_s", duration)), stopped_at]
+            .into_iter()
+            .flatten()
+        {
             if !(0.0..=most).contains(&time) {
                 return Err(format!(
                     "at the end {key} is {time:e} s; expected 0 to {most:.3} s"
                 ));
             }
+        }
+        if duration < self.since - ROUNDED {
+            return Err(format!(
+                "at the end duration_s is {duration} s, but the last sample is at {} s; expected a duration that includes all samples, within {ROUNDED} s",
+                self.since
+            ));
         }
         let positions = if !done.positions.is_empty() {
             done.positions
@@ -667,9 +651,15 @@ impl<'a> Intake<'a> {
         } else {
             self.positions.clone()
         };
+        let ending = match done.ending {
+            EndingRecord::Stopped if !(self.is_stopped || self.is_stop_requested) => {
+                stop(StopKind::ProtectiveStop, duration, UNREQUESTED)
+            }
+            ending => ending.into(),
+        };
         Ok(Execution {
-            duration,
-            ending: done.ending.into(),
+            duration: duration.max(self.since),
+            ending,
             positions,
             pauses: self.pauses.clone(),
             dropped_samples: self.dropped,

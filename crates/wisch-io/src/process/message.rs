@@ -2,7 +2,8 @@
 
 use super::VERSIONS;
 use super::described::DriverRobotRecord;
-use super::intake::{DoneRecord, ObservationRecord, SampleRecord, StateRecord};
+use super::intake::{DoneRecord, SampleRecord, StateRecord};
+use super::observation::ObservationRecord;
 use super::status::{PauseRecord, ResumeRecord, StampClockRecord};
 use crate::records::ShapeRecord;
 use serde::{Deserialize, Serialize};

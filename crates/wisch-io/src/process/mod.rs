@@ -5,6 +5,7 @@ mod child;
 mod described;
 mod intake;
 mod message;
+mod observation;
 mod pause_switch;
 mod printable;
 mod progress;
@@ -12,9 +13,8 @@ mod status;
 
 pub use child::kill_executors;
 pub use described::DriverRobotRecord;
-pub use intake::{
-    DoneRecord, EndingRecord, Intake, ObservationRecord, SampleRecord, StopKindRecord, WrenchAxes,
-};
+pub use intake::{DoneRecord, EndingRecord, Intake, SampleRecord, StopKindRecord, WrenchAxes};
+pub use observation::ObservationRecord;
 pub use pause_switch::PauseSwitch;
 pub use status::{PauseRecord, ResumeRecord, StampClockRecord, WrenchQualityRecord};
 
@@ -311,6 +311,13 @@ fn line_fault(line: &str, error: &serde_json::Error) -> String {
     if error.is_data() {
         return format!("its line {shown} is not a message of the protocol: {words}");
     }
+    // An array with more numbers than expected is JSON, but no data error.
+    if serde_json::from_str::<serde::de::IgnoredAny>(line).is_ok() {
+        let column = error.column();
+        return format!(
+            "its line {shown} is not a message of the protocol: {words} at column {column}; expected arrays of the documented length"
+        );
+    }
     format!(
         "its line {shown} is not JSON from column {} on ({words}); expected one message per line, such as \
          {{\"ready\": {{\"version\": {EXECUTOR_PROTOCOL}}}}}, and any other text on standard error",
@@ -545,6 +552,9 @@ impl ProcessExecutor {
                 Ok(FromChild::Done(done)) => {
                     let dropped = self.child.backlog().dropped_count() - dropped_before;
                     intake.note_dropped(dropped);
+                    if progress.told.is_some() || self.is_interrupted() || watch.end() {
+                        intake.note_stop_request();
+                    }
                     return intake.done(done).map_err(|e| self.fault(e));
                 }
                 Ok(other) => return Err(self.unexpected("a sample", &other)),

@@ -5,7 +5,7 @@ use serde::Serialize;
 use wisch::interpret::{
     ContactResidual, Diagnosis, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
 };
-use wisch::recover::{Claim, Verdict, assess_log};
+use wisch::recover::{Claim, Verdict, assess_log, exceeds_max_passes};
 
 /// Value of `format` in the record.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -194,7 +194,7 @@ impl InterpretationRecord {
     ) -> Self {
         let performance = interpretation.performance;
         let is_collision = |event: &&Event| event.kind == EventKind::Push;
-        let (verdict, reason) = verdict(interpretation, target_performance);
+        let (verdict, reason) = verdict(task, interpretation, target_performance);
         Self {
             format: INTERPRETATION_FORMAT,
             schema: SCHEMA,
@@ -310,15 +310,27 @@ impl EventRecord {
 }
 
 /// Returns whether the target is reached, and the reason.
-fn verdict(interpretation: &Interpretation, target: f64) -> (&'static str, String) {
+fn verdict(
+    task: &wisch::represent::Task,
+    interpretation: &Interpretation,
+    target: f64,
+) -> (&'static str, String) {
     let claim = Claim::assess(&interpretation.distribution, target).to_string();
     match assess_log(interpretation, target) {
+        Verdict::GoalMet if exceeds_max_passes(task, &interpretation.belief, target) => (
+            "not met",
+            format!(
+                "{claim}, but more than {:.1} % of the points have more passes than polish.max_passes",
+                100.0 * (1.0 - target)
+            ),
+        ),
         Verdict::GoalMet => ("met", claim),
         Verdict::Undecidable => {
             let decisive = (interpretation.doubts.iter())
                 .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();
-            ("unknown", causes.join("; "))
+            let is_open = causes.is_empty();
+            ("unknown", if is_open { claim } else { causes.join("; ") })
         }
         Verdict::UnknowableByTouch => ("unknown", claim),
         _ => ("not met", claim),

@@ -138,6 +138,8 @@ pub struct FollowingSummary {
     pub abandoned_nodes: usize,
     /// Obstruction of the first abandoned node; null without abandoned nodes.
     pub first_obstruction: Option<String>,
+    /// First fault that the audit found in the motion, which is then not executed; null without a fault.
+    pub first_fault: Option<String>,
     /// Performance lost to abandoned nodes: prediction of the plan minus prediction of the motion.
     pub abandoned_share: f64,
     /// Base poses in order of time: x \[m\], y \[m\], heading \[rad\] in the world.

@@ -15,6 +15,9 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 use wisch::source_location::{Place, UnknownName};
 
+/// The earlier name of the action dispense and of its table, which is read, but not advised.
+const EARLIER_NAME: &str = "emit";
+
 /// Name of the newtype with which [`At`] requests the location of its value.
 const AT: &str = "At";
 
@@ -185,6 +188,11 @@ impl de::Error for Fault {
     }
 }
 
+/// Iterates over the names of this version, without those that only files of earlier versions have.
+fn current(known: &[&'static str]) -> impl Iterator<Item = &'static str> {
+    known.iter().copied().filter(|name| *name != EARLIER_NAME)
+}
+
 /// A value with its full key.
 #[derive(Clone)]
 struct Field<'de> {
@@ -230,11 +238,11 @@ impl<'de> Field<'de> {
             Problem::UnknownKey(unknown, known) => TaskError::UnknownKey {
                 at,
                 table: key,
-                unknown: Box::new(UnknownName::new("key", &unknown, known.iter().copied())),
+                unknown: Box::new(UnknownName::new("key", &unknown, current(known))),
             },
             Problem::UnknownName(unknown, known) => TaskError::UnknownReference {
                 at,
-                unknown: Box::new(UnknownName::new(kind, &unknown, known.iter().copied())),
+                unknown: Box::new(UnknownName::new(kind, &unknown, current(known))),
             },
             Problem::Other(problem) => TaskError::Inconsistent { at, key, problem },
         }))

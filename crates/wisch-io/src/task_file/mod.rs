@@ -18,8 +18,10 @@ mod tree;
 mod values;
 
 pub use error::TaskError;
-pub use resolve::ReadFile;
-pub(crate) use resolve::{points_remark, surface_remarks, tool_remark, unit_remarks};
+pub use resolve::{ReadFile, check_tool_extent, find_underside_offset};
+pub(crate) use resolve::{
+    points_remark, smoothing_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
+};
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;

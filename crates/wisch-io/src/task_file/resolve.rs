@@ -5,7 +5,7 @@ use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch::geometry::{
     Atlas, Bounds2, LikelyUnit, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose,
-    RIGID_DEPTH, Region, SheetConfig, SheetError, Vector2, Vector3, footprint,
+    RIGID_DEPTH, Region, Sheet, SheetConfig, SheetError, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, DirtMobility, Interaction, KnowledgeBase, MeshShape, Mount,
@@ -30,6 +30,11 @@ const MAX_FILM: usize = 50_000;
 /// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
 /// the tool's collision sphere [1].
 const BESIDE_CENTRE: f64 = 0.25;
+/// Distance of a tool's underside from z = 0 of its frame above which a remark is made: at least this [m], and this share of
+/// the tool's compression [1].
+const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
+/// Distance of the points of a treated surface above which a remark is made, over the width of the tool [1].
+const WIDEST_SPACING: f64 = 0.25;
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -435,8 +440,13 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     let (name, survey) = (&task.surface.name, mesh.sheet().survey());
     let mut remarks = Vec::new();
     if let Some(patch) = mesh.patch() {
+        let seams = if task.action.treats() {
+            "strokes reach over the seams, where passes and coats on the other patches are not counted"
+        } else {
+            "dirt that is pushed over a seam counts as lost"
+        };
         remarks.push(format!(
-            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and dirt that is pushed over a seam counts as lost",
+            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and {seams}",
             patch.index + 1,
             patch.areas().count(),
             mesh.sheet().area(),
@@ -470,6 +480,26 @@ pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
     remarks
 }
 
+/// Returns a remark on a mesh of whose shape smoothing removed more than the tool makes up for.
+pub(crate) fn smoothing_remark(task: &Task) -> Option<String> {
+    let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
+        return None;
+    };
+    let (sheet, depth) = (mesh.sheet(), task.interaction.compression_depth_m);
+    let at = sheet.smoothed_at();
+    sheet.is_smoothed_beyond(depth).then(|| {
+        format!(
+            "surface {:?}: smoothing to the scale of the tool moved its mesh by up to {:.1} mm, at ({:.3}, {:.3}, {:.3}) m of the file; the tool makes up for {:.1} mm. Plan, prediction, estimate and simulation take the smoothed surface: contact with the grooves or ridges of the mesh is not predicted, and the true performance may be lower. Take a smaller or softer tool, or remove these shapes from the mesh",
+            task.surface.name,
+            1e3 * sheet.smoothed_by(),
+            at.x,
+            at.y,
+            at.z,
+            1e3 * Sheet::limit_smoothing(depth)
+        )
+    })
+}
+
 /// Returns a remark on a tool whose contact area has its middle beside the tool centre point.
 pub(crate) fn tool_remark(task: &Task) -> Option<String> {
     let tool = &task.tool;
@@ -486,15 +516,79 @@ pub(crate) fn tool_remark(task: &Task) -> Option<String> {
     })
 }
 
-/// Returns a remark on points of a treated surface that are so few that the tool passes between them.
+/// Largest distance of a tool's underside from z = 0 of its frame that needs no remark [m].
+fn limit_underside(compression_depth: f64) -> f64 {
+    let [least, share] = OFF_CONTACT_PLANE;
+    least.max(share * compression_depth)
+}
+
+/// Returns the height of the lowest point of a tool's mesh over z = 0 of its file \[m\], if it is farther from there than 1 mm and
+/// than a tenth of the compression \[m\]; `None` for a mesh that lies as it should.
+///
+/// `gap`: by how much the mesh was raised, for a tool that hovers \[m\].
+pub fn find_underside_offset(mesh: &Mesh, gap: f64, compression_depth: f64) -> Option<f64> {
+    let (low, _) = mesh.bounds();
+    let offset = low.z - gap;
+    (offset.abs() > limit_underside(compression_depth)).then_some(offset)
+}
+
+/// Whether the longest side of a tool's mesh is within the limits of tasks, 5 mm to 3 m.
+///
+/// # Errors
+/// If it is not: the length, the limits, and the unit in which the mesh probably is.
+pub fn check_tool_extent(mesh: &Mesh) -> Result<(), String> {
+    let [least, most] = TOOL_EXTENT;
+    let extent = mesh.extent();
+    if (least..=most).contains(&extent) {
+        return Ok(());
+    }
+    let unit = LikelyUnit::guess(extent, USUAL_TOOL, most);
+    let advice = unit.map_or("correct its scale".to_owned(), |unit| {
+        format!("{unit}; save the mesh in metres")
+    });
+    Err(format!(
+        "the mesh is {} m long, expected {least} m to {most} m: {advice}",
+        rounded(extent)
+    ))
+}
+
+/// Returns a remark on a tool whose mesh does not begin at z = 0 of its frame, which poses in contact hold on the surface.
+pub(crate) fn underside_remark(task: &Task) -> Option<String> {
+    let (tool, interaction) = (&task.tool, &task.interaction);
+    let (gap, depth) = (interaction.gap_m, interaction.compression_depth_m);
+    let offset = find_underside_offset(&tool.mesh, gap, depth)?;
+    let (off, limit) = (1e3 * offset.abs(), 1e3 * limit_underside(depth));
+    let (side, consequence) = if offset > 0.0 {
+        (
+            "above",
+            format!("the tool stays {off:.1} mm above the surface"),
+        )
+    } else {
+        (
+            "below",
+            format!(
+                "the tool is pressed {off:.1} mm too deep, and the robot may avoid the surface as an obstacle"
+            ),
+        )
+    };
+    Some(format!(
+        "tool {:?}: the lowest point of its mesh lies {off:.1} mm {side} z = 0 of the file, where at most {limit:.1} mm are expected. Poses hold z = 0 at the contact plane, so {consequence}: move the mesh in the file until its underside lies at z = 0",
+        tool.name
+    ))
+}
+
+/// Returns a remark on points of a treated surface that are so few that the tool passes between them, or along a border.
 pub(crate) fn points_remark(task: &Task) -> Option<String> {
-    let size = task.tool.footprint.bounds()?.size();
+    let width = task.tool.footprint.bounds()?.size().min();
     let count = task.particles.len();
-    let spacing = (task.surface.outline.area() / count.max(1) as f64).sqrt();
-    (task.action.treats() && spacing > size.min() / 2.0).then(|| {
+    let area = task.surface.outline.area();
+    let spacing = (area / count.max(1) as f64).sqrt();
+    let limit = WIDEST_SPACING * width;
+    (task.action.treats() && spacing > limit).then(|| {
         format!(
-            "the performance is that of {count} points, which lie {spacing:.3} m apart; the tool is {:.3} m wide, so they say little of the surface between them: increase particles.count",
-            size.min()
+            "the performance is that of {count} points, which lie {spacing:.3} m apart, and not of the surface between them: lanes follow the points, so that strips of up to {:.3} m along the borders may stay untreated. The tool is {width:.3} m wide: set particles.count to at least {:.0}",
+            0.5 * spacing,
+            (area / (limit * limit)).ceil()
         )
     })
 }

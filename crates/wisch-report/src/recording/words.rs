@@ -107,11 +107,13 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
         sentences.push(format!("Detected events: {events}."));
     }
     for doubt in &found.doubts {
-        sentences.push(format!("{doubt}."));
+        sentences.push(format!("{}.", doubt.describe_for_executor()));
     }
     match &round.execution.ending {
         Ending::Complete => {}
-        Ending::Stopped => sentences.push("A user stopped the round.".to_owned()),
+        Ending::Stopped => {
+            sentences.push("The round was stopped on request, or by an error.".to_owned());
+        }
         Ending::Early { time, cause } => {
             sentences.push(format!("The round ended early at {time:.1} s: {cause}."));
         }
@@ -147,6 +149,9 @@ fn describe_verdict(round: &Round, target: f64) -> String {
         Verdict::NoProgress => {
             format!("The goal is not met ({claim}), and this round did not raise the estimate.")
         }
+        Verdict::NothingToGain if claim.holds() => format!(
+            "The goal is not met: {claim}, but too many points have more passes than the task allows."
+        ),
         Verdict::NothingToGain => format!(
             "The goal is not met ({claim}), and no plan is predicted to improve it: the remaining dirt has left the surface, or would leave it."
         ),

@@ -60,7 +60,8 @@ impl CapabilityMap {
     ///
     /// # Errors
     /// If a setting is out of range, the posture does not fit the robot, the tip is no descendant of the base, a
-    /// sliding joint has no limits, there are too many cells, or nothing can be reached.
+    /// sliding joint has no limits, there are too many cells, or nothing can be reached. The tool of an arm that cannot
+    /// tilt it, such as a SCARA, has no direction of the map exactly, and thus reaches nothing.
     ///
     /// # Panics
     /// If a link belongs to another, larger robot.
@@ -90,6 +91,13 @@ impl CapabilityMap {
             });
         }
         builder.spread(&seeds);
+        if !builder
+            .cells
+            .all()
+            .any(|cell| builder.cells.is_reached(cell))
+        {
+            return Err(MapError::NoCenterReached { cells: seeds.len() });
+        }
         let values = builder.refine();
         let name = |link: LinkId| tool.robot.links()[link.index()].name.clone();
         let about = MapOrigin {

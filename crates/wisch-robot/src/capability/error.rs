@@ -54,6 +54,14 @@ pub enum MapError {
         /// Number of samples.
         samples: u64,
     },
+    /// The chain reaches cells of the map, but the centre of none of them.
+    #[error(
+        "random positions of the chain are in {cells} cells, but the centre of none of them can be reached: a map has the tool's axis in fixed directions, which an arm that cannot tilt its tool (SCARA, gantry, palletizer) never has; work without a map"
+    )]
+    NoCenterReached {
+        /// Number of cells with random positions.
+        cells: usize,
+    },
     /// The bytes are no capability map.
     #[error("{file}: no capability map: {problem}")]
     Format {

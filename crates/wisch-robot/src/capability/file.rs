@@ -130,7 +130,14 @@ impl CapabilityMap {
         }
         let content = reader.bytes.len().saturating_sub(HASH_BYTES);
         reader.bytes = &reader.bytes[..content];
-        reader.map(robot).map_err(format)
+        let map = reader.map(robot).map_err(format)?;
+        if map.values.iter().all(|&value| value == 0) {
+            return Err(format(
+                "it reaches nothing, as that of an arm that cannot tilt its tool; remove the file, and work without a map"
+                    .to_owned(),
+            ));
+        }
+        Ok(map)
     }
 }
 

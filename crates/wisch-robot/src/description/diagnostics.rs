@@ -76,9 +76,9 @@ pub enum DiagnosticKind {
     Depth,
     /// An axis that is not a unit vector.
     Axis,
-    /// A limit is missing or infinite.
+    /// A limit of velocity, acceleration or effort is missing or infinite.
     LimitMissing,
-    /// An impossible limit, such as lower above upper or a velocity of 0.
+    /// An impossible limit, such as lower above upper or a velocity of 0, or a position limit that is missing.
     Limit,
     /// A joint that follows itself, a fixed joint, or no joint.
     Mimic,

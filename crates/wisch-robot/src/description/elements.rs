@@ -72,6 +72,8 @@ pub(crate) struct UrdfJoint {
     pub limit: Option<UrdfLimit>,
     /// Limits of the safety controller, if narrower; `limit` includes them.
     pub soft_limits: Option<[f64; 2]>,
+    /// Attribute of the position limit that is not stated beside the other one, so that 0 is assumed; `limit` includes it.
+    pub assumed_limit: Option<&'static str>,
 }
 
 #[derive(Clone, Copy, Default)]

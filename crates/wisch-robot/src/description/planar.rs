@@ -53,6 +53,7 @@ pub(crate) fn split(joint: UrdfJoint) -> (Vec<UrdfJoint>, Vec<UrdfLink>) {
         axis: plane * kinds[i].1,
         limit: Some(kinds[i].2),
         soft_limits: None,
+        assumed_limit: None,
     });
     let links = between.iter().map(|name| UrdfLink {
         name: name.clone(),

@@ -17,6 +17,9 @@ const LIGHT: f64 = 500.0;
 /// Largest usual limit of a revolute joint [rad], and the largest usual value of one in degrees.
 const MOST_TURN: f64 = 30.0;
 const MOST_DEGREES: f64 = 720.0;
+/// Largest usual velocity of a joint with position limits, and of one without, such as that of a wheel [rad/s].
+const MOST_SPEED: f64 = 20.0;
+const MOST_SPEED_OF_WHEEL: f64 = 60.0;
 /// Largest radius of gyration of a link over the reach of the robot [1], and the least value of that limit [m].
 const GYRATION_PER_REACH: f64 = 3.0;
 const LEAST_GYRATION: f64 = 1.0;
@@ -69,6 +72,9 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
     masses(urdf, reach, report);
     for joint in urdf.joints.iter().filter(|joint| joint.kind == "revolute") {
         angles(joint, report);
+    }
+    for joint in &urdf.joints {
+        speed(joint, report);
     }
 }
 
@@ -138,5 +144,27 @@ fn angles(joint: &UrdfJoint, report: &mut Diagnostics) {
             joint.at,
             w,
         );
+    }
+}
+
+/// Reports a limit of velocity that is probably in degrees per second.
+fn speed(joint: &UrdfJoint, report: &mut Diagnostics) {
+    let most = match joint.kind.as_str() {
+        "revolute" => MOST_SPEED,
+        "continuous" => MOST_SPEED_OF_WHEEL,
+        _ => return,
+    };
+    let Some(velocity) = joint.limit.and_then(|limit| limit.velocity) else {
+        return;
+    };
+    if velocity > most {
+        let w = words(
+            format!("its velocity limit is {velocity} rad/s"),
+            format!("at most {most} rad/s"),
+            "it is probably in degrees per second: multiply by 0.0174533; motions use this limit",
+        );
+        let (severity, kind) = (Severity::Warning, DiagnosticKind::Units);
+        let subject = Subject::Joint(joint.name.clone());
+        report.add(severity, kind, subject, joint.at, w);
     }
 }

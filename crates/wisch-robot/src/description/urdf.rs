@@ -55,6 +55,8 @@ const XACRO_SOURCE: [&str; 8] = [
 ];
 /// Start of the names of xacro's elements in a text that does not declare its prefix, after the repair.
 const UNDECLARED_XACRO: &str = "xacro_";
+/// Largest usual angle of an origin [rad]: a full turn.
+const MOST_TURN: f64 = 6.3;
 /// Largest absolute number, in any unit.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -384,11 +386,34 @@ impl<'a> Reader<'a> {
             return Ok(Pose::identity());
         };
         let [x, y, z] = self.numbers(origin, "xyz")?.unwrap_or_default();
-        let [roll, pitch, yaw] = self.numbers(origin, "rpy")?.unwrap_or_default();
+        let rpy: [f64; 3] = self.numbers(origin, "rpy")?.unwrap_or_default();
+        if rpy.iter().any(|angle| angle.abs() > MOST_TURN) {
+            self.warn_of_degrees(origin, rpy);
+        }
+        let [roll, pitch, yaw] = rpy;
         Ok(Pose::from_parts(
             Translation3::new(x, y, z),
             UnitQuaternion::from_euler_angles(roll, pitch, yaw),
         ))
+    }
+
+    /// Warns of an origin with angles above a full turn, of the joint or the link to which it belongs.
+    fn warn_of_degrees(&self, origin: Node, [roll, pitch, yaw]: [f64; 3]) {
+        let owner =
+            (origin.ancestors()).find(|node| matches!(node.tag_name().name(), "joint" | "link"));
+        let name = owner.and_then(|owner| owner.attribute("name"));
+        let name = name.unwrap_or_default().to_owned();
+        let subject = match owner {
+            Some(owner) if owner.tag_name().name() == "joint" => Subject::Joint(name),
+            Some(_) => Subject::Link(name),
+            None => Subject::Robot,
+        };
+        let w = words(
+            format!("its origin turns by rpy = {roll} {pitch} {yaw} rad"),
+            format!("each within {MOST_TURN} rad"),
+            "they are probably in degrees: multiply by 0.0174533",
+        );
+        self.warn_of(DiagnosticKind::Units, origin, subject, w);
     }
 
     fn link(&self, node: Node) -> Result<UrdfLink, RobotError> {
@@ -528,10 +553,13 @@ impl<'a> Reader<'a> {
         };
         let mimic = element(node, "mimic").map(mimic).transpose()?;
         let mut limit = element(node, "limit").map(limit).transpose()?;
+        let is_limited = matches!(kind.as_str(), "revolute" | "prismatic");
+        let assumed_limit = match (&mut limit, element(node, "limit")) {
+            (Some(limit), Some(stated)) if is_limited => assume_limit(limit, stated),
+            _ => None,
+        };
         let soft_limits = match (&mut limit, element(node, "safety_controller")) {
-            (Some(limit), Some(soft)) if matches!(kind.as_str(), "revolute" | "prismatic") => {
-                self.narrow(limit, soft)?
-            }
+            (Some(limit), Some(soft)) if is_limited => self.narrow(limit, soft)?,
             _ => None,
         };
         let joint = UrdfJoint {
@@ -543,6 +571,7 @@ impl<'a> Reader<'a> {
             axis: Vector3::from(axis),
             limit,
             soft_limits,
+            assumed_limit,
             name,
         };
         Ok((joint, mimic))
@@ -592,6 +621,23 @@ impl<'a> Reader<'a> {
             offset: self.number(node, "offset")?.unwrap_or(0.0),
             terms: elements(node, "term").map(term).collect::<Result<_, _>>()?,
         })
+    }
+}
+
+/// Sets a position limit that is absent beside the other one to 0, its default in the format, if that leaves a range;
+/// returns the name of its attribute.
+fn assume_limit(limit: &mut UrdfLimit, stated: Node) -> Option<&'static str> {
+    let is_absent = |attribute: &str| stated.attribute(attribute).is_none();
+    match (limit.lower, limit.upper) {
+        (None, Some(upper)) if upper > 0.0 && is_absent("lower") => {
+            limit.lower = Some(0.0);
+            Some("lower")
+        }
+        (Some(lower), None) if lower < 0.0 && is_absent("upper") => {
+            limit.upper = Some(0.0);
+            Some("upper")
+        }
+        _ => None,
     }
 }
 

@@ -65,7 +65,7 @@ struct Limb {
 /// ```
 ///
 /// # Errors
-/// If there is no arm, or no joint moves a named tip.
+/// If there is no arm, its joints have no range, or no joint moves a named tip.
 ///
 /// # Panics
 /// If a link belongs to another, larger robot.
@@ -95,7 +95,18 @@ pub fn find_arms(robot: &RobotModel, tips: &[LinkId]) -> Result<Vec<ArmChain>, S
     });
     let arms: Vec<ArmChain> = arms.collect();
     for proposed in arms.iter().flat_map(|arm| &arm.groups) {
-        robot.chain(proposed.group.base, proposed.group.tip)?;
+        let chain = robot.chain(proposed.group.base, proposed.group.tip)?;
+        let has_range = |&variable: &usize| {
+            let limits = robot.variable(variable).limits.position;
+            limits.is_none_or(|limits| limits.upper > limits.lower)
+        };
+        if !chain.variables().iter().any(has_range) {
+            return Err(SetupError::NoRange {
+                robot: robot.name().to_owned(),
+                joints: chain.variables().len(),
+                tip: robot.links()[proposed.group.tip.index()].name.clone(),
+            });
+        }
     }
     Ok(arms)
 }

@@ -37,6 +37,18 @@ pub enum SetupError {
         /// Least number of joints of an arm.
         limit: usize,
     },
+    /// The joints of an arm have no range.
+    #[error(
+        "robot {robot:?}: no arm found: none of the {joints} joints that move link {tip:?} has a range, as the lower and the upper position limit of each are equal"
+    )]
+    NoRange {
+        /// Name of the robot.
+        robot: String,
+        /// Number of joints.
+        joints: usize,
+        /// Link that they move.
+        tip: String,
+    },
     /// No joint moves the named tip.
     #[error("link {tip:?}: no joint moves it, but the tip of an arm moves")]
     FixedTip {

@@ -2,6 +2,7 @@
 
 use super::Driver;
 use crate::motion::{Part, WipingMotion, goal_bytes};
+use crate::pace::GoalPace;
 use crate::robot_file::ForceKind;
 use nalgebra::Vector3;
 use std::time::{Duration, Instant};
@@ -21,10 +22,16 @@ impl Driver {
     /// Returns the names of the file's controllers that are inactive.
     ///
     /// # Errors
-    /// If the controller manager does not answer.
-    pub(super) fn inactive_controllers(&self) -> Result<Vec<String>, String> {
+    /// If the controller manager does not answer within `limit`, or else within the usual time.
+    pub(super) fn inactive_controllers(
+        &self,
+        limit: Option<Duration>,
+    ) -> Result<Vec<String>, String> {
         let connection = &self.connection;
-        let listed = connection.manager.list();
+        let listed = match limit {
+            Some(limit) => connection.manager.list_within(limit),
+            None => connection.manager.list(),
+        };
         let listed = listed.map_err(|error| error.to_string())?;
         let needed = connection.file.motion.controllers.iter();
         let is_active = |name: &String| {
@@ -48,7 +55,7 @@ impl Driver {
         activated.map_err(|error| error.to_string())?;
         let deadline = Instant::now() + ACTIVE_TIMEOUT;
         loop {
-            let missing = self.inactive_controllers()?;
+            let missing = self.inactive_controllers(None)?;
             if missing.is_empty() {
                 break;
             }
@@ -135,8 +142,9 @@ impl Driver {
             ));
         }
         for part in parts {
-            let begin = &motion.knots[part.knots[0]].positions;
-            let goal = motion.goal(part, begin, names, self.options.speed, 1.0);
+            let begin = &motion.knots[part.knots[0]];
+            let pace = GoalPace::from_rest(begin.time, self.options.speed);
+            let goal = motion.goal(part, &pace, &begin.positions, names, 1.0);
             let bytes = goal_bytes(&goal);
             if bytes > file.motion.most_bytes {
                 return Err(format!(

@@ -1,21 +1,25 @@
 //! The execution of one motion: its goals, its samples, and the supervision of the robot.
 
+mod hold;
+mod pause;
 mod press;
 
 use super::Driver;
 use super::checks::REST;
 use crate::connection::Connection;
-use crate::goals::{GoalRequest, GoalSender};
+use crate::goals::{GoalRequest, GoalSender, TrajectoryAction};
 use crate::guard::LONGEST_SILENCE;
-use crate::messages::EmptyRequest;
-use crate::motion::{Part, WipingMotion};
+use crate::jumps::JumpWatch;
+use crate::motion::{Part, WipingMotion, goal_bytes};
+use crate::pace::GoalPace;
 use crate::protocol::{Incoming, Kind, MotionEnding, Outgoing, Request};
 use crate::readings::{JointReading, ProgressReading, WrenchReading};
+use crate::wrench_quality::assess_wrench;
 use nalgebra::Vector3;
-use ros2_client::RmwRequestId;
-use ros2_client::action_msgs::{CancelGoalResponseEnum, GoalId, GoalStatusEnum};
+use ros2_client::action_msgs::{GoalId, GoalStatusEnum};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
+use wisch::interpret::WrenchQuality;
 
 /// Longest wait for a joint state before readings are checked again.
 const TURN: Duration = Duration::from_millis(5);
@@ -40,10 +44,6 @@ const PHASE_EDGE_S: f64 = 1e-4;
 const MOST_APART_S: f64 = 0.1;
 /// Largest distance of a joint from the begin of a later goal of a motion [rad or m]: it fades within half a second.
 const MOST_OFFSET: f64 = 0.1;
-/// Longest wait for the robot to confirm a stop.
-const HOLD: Duration = Duration::from_secs(1);
-/// Period at which a stop is repeated until the robot confirms it.
-const REPEAT: Duration = Duration::from_millis(100);
 
 /// A goal that the robot executes.
 struct ActiveGoal {
@@ -52,8 +52,12 @@ struct ActiveGoal {
     /// The request to accept it.
     request: GoalRequest,
     is_accepted: bool,
-    /// Start of its part, and end, as planned [s].
-    span: [f64; 2],
+    /// Where on the trajectory it began, and how fast it goes.
+    pace: GoalPace,
+    /// End of its part, as planned [s].
+    end: f64,
+    /// Time of the controller since it began [s].
+    since: f64,
     /// Distance of the robot from the trajectory at the beginning [rad or m].
     offset: Vec<f64>,
     is_wipe: bool,
@@ -71,11 +75,17 @@ pub(super) struct MotionRun<'a> {
     /// The latest joint state, and time of the latest sample [s].
     latest: JointReading,
     sample_time: f64,
+    jumps: JumpWatch,
     /// Force of the surroundings on the tool in the axes of the world, less the tare [N].
     force: Vector3<f64>,
     bias: Vector3<f64>,
+    quality: WrenchQuality,
+    /// Whether there is a tare, and whether it is of this motion.
     is_tared: bool,
+    is_tared_anew: bool,
     is_pressing: bool,
+    /// Whether the operator wants the motion to pause.
+    wants_pause: bool,
     goal: Option<ActiveGoal>,
     /// Time on the trajectory, as planned [s].
     trajectory_time: f64,
@@ -121,10 +131,14 @@ impl<'a> MotionRun<'a> {
             began: (latest.stamp, latest.arrival),
             latest,
             sample_time: -1.0,
+            jumps: JumpWatch::new(robot.frames.velocity_limits()),
             force: Vector3::zeros(),
             bias: driver.tare.get().unwrap_or_default(),
+            quality: WrenchQuality::Untared,
             is_tared: driver.tare.get().is_some(),
+            is_tared_anew: false,
             is_pressing: false,
+            wants_pause: false,
             goal: None,
             trajectory_time: 0.0,
             is_time_reported: false,
@@ -156,6 +170,9 @@ impl<'a> MotionRun<'a> {
 
     /// The content of `done`.
     pub fn finish(self, ending: &MotionEnding) -> Value {
+        if let Some(remark) = self.jumps.further() {
+            eprintln!("wisch-ros2: {remark}");
+        }
         let time = self.sample_time.max(0.0);
         json!({
             "duration_s": time,
@@ -164,20 +181,42 @@ impl<'a> MotionRun<'a> {
         })
     }
 
-    /// Executes one part: tares, presses, sends the goal, and waits for its end.
+    /// Executes one part: tares, presses, sends the goal, and waits for its end. After a pause, another goal executes the rest.
     fn follow_part(&mut self, part: &Part) -> Turned<()> {
         let is_in_air = self.driver.options.is_in_air;
+        self.pause_if_wanted()?;
         if part.is_tared && !is_in_air && self.robot.file.force.topic.is_some() {
             self.tare()?;
         }
         if part.is_wipe && !is_in_air && self.motion.head.gap_m.is_none() {
             self.start_pressing()?;
         }
-        let id = self.send_goal(part)?;
+        let begin = self.motion.knots[part.knots[0]].time;
+        let mut pace = GoalPace::from_rest(begin, self.driver.options.speed);
+        self.pause_if_wanted()?;
+        while !self.follow_goal(part, pace)? {
+            self.pause_if_wanted()?;
+            self.settle_for(Duration::ZERO)?;
+            if self.has_touched(part) {
+                break;
+            }
+            pace = self.resumed_pace(part);
+        }
+        self.trajectory_time = self.end_of(part);
+        self.stop_pressing()
+    }
+
+    /// Sends a goal and waits for its end. Returns whether the part has ended; otherwise a pause is wanted.
+    fn follow_goal(&mut self, part: &Part, pace: GoalPace) -> Turned<bool> {
+        let id = self.send_goal(part, pace)?;
         let sent = self.robot.action.request_result(id);
         let request = match sent {
             Ok(request) => request,
             Err(error) => return stop(Kind::LinkLost, format!("the action: {error}")),
+        };
+        let status = |action: &TrajectoryAction| {
+            let result = action.receive_result(request).ok().flatten();
+            result.map(|(status, _)| status)
         };
         loop {
             self.turn()?;
@@ -198,11 +237,13 @@ impl<'a> MotionRun<'a> {
                 Err(error) => return stop(Kind::LinkLost, format!("the action: {error}")),
             }
             self.check_progress()?;
+            if self.wants_pause {
+                return self.cancel_for_pause(id, status);
+            }
             if self.has_touched(part) {
                 let _ = self.robot.action.cancel_goal(id);
                 self.wait("the end of a canceled goal", ANSWER, |run| {
-                    let result = run.robot.action.receive_result(request);
-                    matches!(result, Ok(Some(_))).then_some(())
+                    status(&run.robot.action)
                 })?;
                 self.goal = None;
                 self.settle_briefly()?;
@@ -210,45 +251,56 @@ impl<'a> MotionRun<'a> {
             }
         }
         self.goal = None;
-        self.trajectory_time = self.end_of(part);
-        self.stop_pressing()
+        Ok(true)
     }
 
-    /// Sends the goal of a part and waits until the controller has accepted it.
-    fn send_goal(&mut self, part: &Part) -> Turned<GoalId> {
+    /// Sends the goal of a part, or of its rest, and waits until the controller has accepted it.
+    fn send_goal(&mut self, part: &Part, pace: GoalPace) -> Turned<GoalId> {
         // Every goal begins at rest. A stop that came during the checks is not overtaken by a goal.
         self.settle_for(Duration::ZERO)?;
         let file = &self.robot.file;
-        let first = &self.motion.knots[part.knots[0]];
+        let first = self.motion.positions_at(pace.from);
         let positions = self.latest.positions.clone();
-        self.check_offset(&first.positions)?;
+        self.check_offset(&first)?;
         let goal = self.motion.goal(
             part,
+            &pace,
             &positions,
             &self.robot.names,
-            self.driver.options.speed,
             file.motion.path_tolerance_rad,
         );
+        let (bytes, limit) = (goal_bytes(&goal), file.motion.most_bytes);
+        if bytes > limit {
+            // Only the ramp after a pause adds points to a goal that was accepted.
+            return stop(
+                Kind::Operator,
+                format!(
+                    "after a pause, a goal has {bytes} bytes, more than motion.most_bytes = {limit}"
+                ),
+            );
+        }
         let (request, id) = match self.robot.goals.send(&self.robot.action, goal) {
             Ok(sent) => sent,
             Err(error) => return stop(Kind::LinkLost, format!("the goal is not sent: {error}")),
         };
-        let offset = positions.iter().zip(&first.positions);
+        let offset = positions.iter().zip(&first);
         let now = Instant::now();
         self.goal = Some(ActiveGoal {
             id,
             sent: now,
             request,
             is_accepted: false,
-            span: [first.time, self.end_of(part)],
+            pace,
+            end: self.end_of(part),
+            since: 0.0,
             offset: offset
                 .map(|(measured, planned)| measured - planned)
                 .collect(),
             is_wipe: part.is_wipe,
         });
-        self.trajectory_time = first.time;
+        self.trajectory_time = pace.from;
         self.is_time_reported = false;
-        self.progressed = (first.time, now);
+        self.progressed = (pace.from, now);
         let answer = self.wait("the answer to a goal", ANSWER, |run| {
             GoalSender::answer(&run.robot.action, request)
         })?;
@@ -317,6 +369,8 @@ impl<'a> MotionRun<'a> {
         if let Some(request) = self.incoming.poll() {
             match request {
                 Request::Stop => return Err(MotionEnding::Stopped),
+                Request::Pause => self.wants_pause = true,
+                Request::Resume => self.wants_pause = false,
                 Request::End => return Err(MotionEnding::Deserted),
                 _ => return stop(Kind::LinkLost, "wisch sent an unexpected message"),
             }
@@ -347,11 +401,19 @@ impl<'a> MotionRun<'a> {
             return Ok(());
         };
         self.scaling = scaling;
+        let is_tared = self.is_tared_anew;
+        self.quality = assess_wrench(&self.robot.file, wrench.as_ref(), joints.arrival, is_tared);
         self.force = match &wrench {
             Some(wrench) => self.force_in_world(&joints, wrench)?,
             None => Vector3::zeros(),
         };
         if joints.number != self.latest.number {
+            let states = [&self.latest, &joints];
+            let force = self.is_tared.then(|| self.force.norm());
+            let remark = (self.jumps).check(&self.robot.names, states, force, self.began.0);
+            if let Some(remark) = remark {
+                eprintln!("wisch-ros2: {remark}");
+            }
             self.latest = joints;
             self.advance(progress);
             self.report()?;
@@ -416,11 +478,9 @@ impl<'a> MotionRun<'a> {
         let now = Instant::now();
         let elapsed = now.duration_since(self.turned).as_secs_f64();
         self.turned = now;
-        let Some(goal) = &self.goal else {
+        let Some(goal) = &mut self.goal else {
             return;
         };
-        let [start, end] = goal.span;
-        let speed = self.driver.options.speed;
         // A time of the previous goal is later than the present one can be.
         let since = now.duration_since(goal.sent).as_secs_f64();
         let most = PROGRESS_ALLOWANCE[0] * since + PROGRESS_ALLOWANCE[1];
@@ -428,19 +488,20 @@ impl<'a> MotionRun<'a> {
             .filter(|progress| progress.arrival > goal.sent && progress.time <= most)
             .map(|progress| (progress, self.latest.stamp - progress.stamp))
             .filter(|(_, apart)| apart.abs() <= MOST_APART_S);
+        let is_reported = reported.is_some();
         match reported {
+            // The time of the latest state, by the stamps of both.
             Some((progress, apart)) => {
-                // The time of the latest state, by the stamps of both.
-                let time = start + (progress.time + apart * self.scaling) * speed;
-                self.trajectory_time = time.clamp(start, end.max(start)).max(self.trajectory_time);
-                self.is_time_reported = true;
+                goal.since = goal.since.max(progress.time + apart * self.scaling);
             }
             None if self.robot.file.motion.progress.is_none() => {
-                let time = self.trajectory_time + elapsed * self.scaling * speed;
-                self.trajectory_time = time.min(end);
+                goal.since += elapsed * self.scaling;
             }
-            None => self.is_time_reported = false,
+            None => {}
         }
+        let [time, ..] = goal.pace.evaluate(goal.since);
+        let time = time.min(goal.end).max(self.trajectory_time);
+        (self.trajectory_time, self.is_time_reported) = (time, is_reported);
         if self.trajectory_time > self.progressed.0 + 1e-3 {
             self.progressed = (self.trajectory_time, now);
         }
@@ -511,6 +572,7 @@ impl<'a> MotionRun<'a> {
             "velocities": latest.velocities,
             "efforts": latest.efforts,
             "force_n": [self.force.x, self.force.y, self.force.z],
+            "wrench_quality": self.quality.as_str(),
         });
         if latest.stamp > 0.0 {
             sample["stamp_ns"] = json!((latest.stamp * 1e9) as u64);
@@ -531,9 +593,9 @@ impl<'a> MotionRun<'a> {
         let Some(goal) = self.goal.as_ref().filter(|_| self.is_time_reported) else {
             return Ok(());
         };
-        let (time, speed) = (self.trajectory_time, self.driver.options.speed);
-        let since = (time - goal.span[0]) / speed;
-        let planned = (self.motion).faded_positions(time, since, goal.span, &goal.offset, speed);
+        let pace = (&goal.pace, goal.end);
+        let (time, since) = (self.trajectory_time, goal.since);
+        let planned = (self.motion).faded_positions(time, since, pace, &goal.offset);
         let setpoint = self.driver.tool_at(self.motion, &planned);
         let measured = self.driver.tool_at(self.motion, &self.latest.positions);
         let (Some(setpoint), Some(measured)) = (setpoint, measured) else {
@@ -625,79 +687,6 @@ impl<'a> MotionRun<'a> {
                 );
             }
         }
-    }
-
-    /// Cancels the goal and ends force mode, again and again, until the robot has confirmed that and rests.
-    ///
-    /// # Errors
-    /// What it has not confirmed.
-    fn hold(&mut self) -> Result<(), String> {
-        let mut is_canceled = self.goal.is_none();
-        let mut is_released = !self.is_pressing || self.robot.force.is_none();
-        let (mut canceling, mut releasing) = (None, None);
-        let begin = Instant::now();
-        let mut sent: Option<Instant> = None;
-        while begin.elapsed() < HOLD {
-            let _ = self.driver.guard.beat();
-            if sent.is_none_or(|sent| sent.elapsed() >= REPEAT) {
-                sent = Some(Instant::now());
-                if let Some(goal) = self.goal.as_ref().filter(|_| !is_canceled) {
-                    canceling = self.robot.action.cancel_goal(goal.id).ok();
-                }
-                if let Some(force) = self.robot.force.as_ref().filter(|_| !is_released) {
-                    releasing = force.stop.send(EmptyRequest::default()).ok();
-                }
-            }
-            is_canceled |= self.is_goal_gone(canceling);
-            if let (Some(force), Some(request)) = (&self.robot.force, releasing) {
-                let answer = force.stop.answer(request);
-                is_released |= answer.is_some_and(|answer| answer.success);
-            }
-            let joints = self.robot.readings.wait(TURN).joints.clone();
-            let rests = joints.is_some_and(|joints| {
-                let is_slow = joints.velocities.iter().all(|v| v.abs() <= REST);
-                let is_new = joints.number != self.latest.number;
-                self.latest = joints;
-                is_slow && is_new && !self.latest.velocities.is_empty()
-            });
-            if is_canceled && is_released && rests {
-                self.goal = None;
-                self.is_pressing = false;
-                return Ok(());
-            }
-        }
-        let seconds = HOLD.as_secs_f64();
-        let fastest = (self.latest.velocities.iter()).fold(0.0_f64, |most, v| most.max(v.abs()));
-        Err(match (is_canceled, is_released) {
-            (false, _) => format!("no answer to the cancel of its goal within {seconds} s"),
-            (true, false) => format!("force mode was not ended within {seconds} s"),
-            (true, true) => format!(
-                "after {seconds} s a joint moves at {fastest:.3} rad/s or m/s, the limit is {REST}"
-            ),
-        })
-    }
-
-    /// Whether the robot no longer executes the goal, and will not begin it. A cancel may arrive before its goal: then it
-    /// answers that it does not know the goal.
-    fn is_goal_gone(&mut self, canceling: Option<RmwRequestId>) -> bool {
-        let action = &self.robot.action;
-        let Some(goal) = &mut self.goal else {
-            return true;
-        };
-        if !goal.is_accepted {
-            match GoalSender::answer(action, goal.request) {
-                Some(answer) if answer.accepted => goal.is_accepted = true,
-                Some(_) => return true,
-                None => {}
-            }
-        }
-        let answer = canceling.and_then(|request| action.receive_cancel_response(request).ok()?);
-        answer.is_some_and(|answer| match answer.return_code {
-            CancelGoalResponseEnum::None => true,
-            CancelGoalResponseEnum::Rejected => false,
-            // It has ended, or has not arrived yet.
-            _ => goal.is_accepted,
-        })
     }
 }
 

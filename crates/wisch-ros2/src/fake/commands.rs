@@ -14,6 +14,7 @@ Commands on standard input, one per line:
   speak                  send all messages again
   shuffle                reverse the order of the joints in joint states
   move JOINT RADIANS     displace a joint, named by its number from 0
+  jump JOINT RADIANS     state a joint's position too large from now on, while the arm stays
   clock SECONDS          shift the stamps of messages
   sign 1|-1              sign of the measured wrench
   reject true|false      reject goals
@@ -35,6 +36,7 @@ pub(super) enum Command {
     Speak,
     Shuffle,
     Move(usize, f64),
+    Jump(usize, f64),
     Clock(f64),
     Sign(f64),
     Reject(bool),
@@ -104,6 +106,7 @@ fn parse(line: &str) -> Result<Option<Command>, String> {
         ["speak"] => Command::Speak,
         ["shuffle"] => Command::Shuffle,
         ["move", joint, distance] => Command::Move(index(joint)?, number(distance)?),
+        ["jump", joint, distance] => Command::Jump(index(joint)?, number(distance)?),
         ["clock", seconds] => Command::Clock(number(seconds)?),
         ["sign", "1"] => Command::Sign(1.0),
         ["sign", "-1"] => Command::Sign(-1.0),
@@ -123,6 +126,7 @@ mod tests {
     fn commands_are_read_and_others_are_refused() {
         let push = Command::Push([1.0, 0.0, -2.5], 3.0);
         assert_eq!(parse("push 1 0 -2.5 3"), Ok(Some(push)));
+        assert_eq!(parse("jump 6 0.1"), Ok(Some(Command::Jump(6, 0.1))));
         assert_eq!(parse("silence wrench"), Ok(Some(Command::Silence(1))));
         assert_eq!(parse("  "), Ok(None));
         for line in ["push 1 2 3", "scaling nan", "move x 1", "silence nobody"] {

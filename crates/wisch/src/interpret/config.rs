@@ -24,6 +24,8 @@ pub struct InterpretConfig {
     pub plane: PlaneConfig,
     /// μ and σ of the activation likelihood (12).
     pub likelihood: LogNormal,
+    /// Force at which the tool centre point lies on the surface \[N\]; the nominal force where it is `None`.
+    pub level_force_n: Option<f64>,
     /// Uncertain parameters and their spreads.
     pub uncertainty: Uncertainty,
     /// Number of members that replace a certain belief at the first log.
@@ -45,6 +47,15 @@ pub struct InterpretConfig {
     pub max_pieces: usize,
     /// Seed of all random numbers.
     pub seed: u64,
+}
+
+/// Why the force in contact differs from the declared one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum OtherForce {
+    /// The sensor has another scale.
+    Scale,
+    /// The tool presses with another force.
+    Press,
 }
 
 /// How far a tool compresses. The tool centre point is the underside at nominal force. Under less force the underside
@@ -199,6 +210,7 @@ impl InterpretConfig {
             gap_m: interaction.gap_m,
             plane: PlaneConfig::default(),
             likelihood: interaction.likelihood,
+            level_force_n: None,
             uncertainty: Uncertainty {
                 law_mu: interaction.likelihood_spread.mu,
                 law_sigma: interaction.likelihood_spread.ln_sigma,
@@ -252,6 +264,7 @@ impl InterpretConfig {
             ("relocalize_tilt", self.relocalize_tilt, tilt),
             ("relocalize_offset_m", self.relocalize_offset_m, metres),
             ("free_height_m", self.free_height_m, metres),
+            ("level_force_n", self.level_force(), any_force),
             ("search_height_m", self.search_height_m, metres),
             ("plane.inlier_distance_m", plane.inlier_distance_m, near),
             ("plane.cone", plane.cone, cone),
@@ -289,21 +302,26 @@ impl InterpretConfig {
         Ok(())
     }
 
-    /// Returns the settings for a log whose nominal force is `reference` [N]. The tool compresses by the same distance
-    /// under it as under the declared force.
+    /// Returns the settings for a log whose nominal force is `reference` [N].
+    ///
+    /// If the sensor has another scale, the tool compresses by the same distance under it as under the declared force. If
+    /// the tool presses with another force, it compresses by another distance.
     #[must_use]
-    pub(super) fn with_reference_force(&self, reference: f64) -> Self {
+    pub(super) fn with_reference_force(&self, reference: f64, cause: OtherForce) -> Self {
         let ratio = reference / self.nominal_force();
         let mut config = self.clone();
         if ratio == 1.0 {
             return config;
         }
         config.min_normal_force_n = -reference;
-        if let ToolCompliance::Spring {
-            stiffness_n_per_m, ..
-        } = &mut config.compliance
-        {
-            *stiffness_n_per_m *= ratio;
+        match (cause, &mut config.compliance) {
+            (
+                OtherForce::Scale,
+                ToolCompliance::Spring {
+                    stiffness_n_per_m, ..
+                },
+            ) => *stiffness_n_per_m *= ratio,
+            _ => config.level_force_n = Some(self.level_force()),
         }
         // A larger scale of the forces scales noise and friction as well.
         let larger = ratio.max(1.0);
@@ -335,6 +353,11 @@ impl InterpretConfig {
     /// Nominal press force [N].
     pub(super) fn nominal_force(&self) -> f64 {
         -self.min_normal_force_n
+    }
+
+    /// Force at which the tool centre point lies on the surface [N].
+    pub(super) fn level_force(&self) -> f64 {
+        self.level_force_n.unwrap_or_else(|| self.nominal_force())
     }
 
     /// Largest f′ of a confident contact (10) [1].

@@ -95,6 +95,15 @@ impl Interpretation {
         self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
     }
 
+    /// Adds a doubt about the data of the log. With a decisive one, the performance may be another one.
+    pub fn add_doubt(&mut self, doubt: Doubt) {
+        if doubt.is_decisive() {
+            self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            self.performance = self.distribution.estimate();
+        }
+        self.doubts.push(doubt);
+    }
+
     /// Updates belief and performance by an observation of the surface after the log. If the log and the belief before it
     /// contradict the number of grains observed, that is a [`Doubt`].
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
@@ -103,8 +112,15 @@ impl Interpretation {
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         if let Some(doubt) = contradiction {
+            // Of dirt that vanished where no tool was, some may have been overlooked.
+            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, left, .. }
+                if (*seen as f64) < left[0]);
             if doubt.is_decisive() {
                 self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            } else if is_too_clean {
+                self.distribution = self
+                    .distribution
+                    .or_unknown(UNKNOWN_SHARE, self.by_touch.low);
             }
             self.doubts.push(doubt);
         }

@@ -1,10 +1,11 @@
 //! Interpretation of a log, from its samples to what was wiped.
 
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
-use super::config::InterpretConfig;
+use super::config::{InterpretConfig, OtherForce};
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
-    PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample, find_stiffness, middle,
+    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredPiece,
+    MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample,
+    find_stiffness, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
@@ -256,28 +257,68 @@ impl Interpreter {
         Ok(replay.exposures(&particles, &evidence, deviation, guesses))
     }
 
-    /// Reads the forces, classifies the pieces and detects the events.
-    fn analyse(&self) -> LogAnalysis {
-        let measured = self.downsampler.pieces();
-        let reading = ForceReading::of(measured, &self.surface, &self.config);
-        let mut pieces = reading.apply(measured, &self.config);
-        let reference = reading.reference_force(self.config.nominal_force());
-        let config = self.config.with_reference_force(reference);
+    /// Classifies the pieces. Where the force differs from the declared one, the sensor may have another scale, or the tool
+    /// presses with another force and compresses by another distance: the cause counts by which the surface lies nearer
+    /// to the believed one.
+    fn level(&self, reading: &ForceReading, reference: f64) -> LeveledLog {
+        let by_scale = self.level_by(reading, reference, OtherForce::Scale);
+        let is_declared = reference == self.config.nominal_force();
+        if is_declared || self.config.stiffness().is_none() {
+            return by_scale;
+        }
+        let by_press = self.level_by(reading, reference, OtherForce::Press);
+        if by_press.offset(&self.surface) < by_scale.offset(&self.surface) {
+            by_press
+        } else {
+            by_scale
+        }
+    }
+
+    fn level_by(&self, reading: &ForceReading, reference: f64, cause: OtherForce) -> LeveledLog {
+        let mut pieces = reading.apply(self.downsampler.pieces(), &self.config);
+        let config = self.config.with_reference_force(reference, cause);
         let compression = config.nominal_compression();
         let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, &config);
         if let Some(tool) = tool {
             tool.level(&mut pieces, &config);
         }
-        let pieces = &pieces;
-        let found_stiffness = find_stiffness(pieces, &self.surface, &config);
+        let found_stiffness = find_stiffness(&pieces, &self.surface, &config);
         let config = config.with_stiffness(found_stiffness.map(|found| found.n_per_m));
-        let classifier = ContactClassifier {
+        let classified = self.classifier(&config, reference).classify(&pieces);
+        LeveledLog {
+            pieces,
+            config,
+            found_stiffness,
+            classified,
+        }
+    }
+
+    fn classifier<'a>(
+        &'a self,
+        config: &'a InterpretConfig,
+        reference: f64,
+    ) -> ContactClassifier<'a> {
+        ContactClassifier {
             surface: &self.surface,
             reach: self.reach(),
-            config: &config,
+            config,
             most_share: (self.config.nominal_force() / reference).max(1.0),
-        };
-        let classified = classifier.classify(pieces);
+        }
+    }
+
+    /// Reads the forces, classifies the pieces and detects the events.
+    fn analyse(&self) -> LogAnalysis {
+        let measured = self.downsampler.pieces();
+        let reading = ForceReading::of(measured, &self.surface, &self.config);
+        let reference = reading.reference_force(self.config.nominal_force());
+        let LeveledLog {
+            pieces,
+            config,
+            found_stiffness,
+            classified,
+        } = self.level(&reading, reference);
+        let pieces = &pieces;
+        let classifier = self.classifier(&config, reference);
         let believed_from_real = classified
             .plane
             .as_ref()
@@ -509,6 +550,26 @@ impl LogAnalysis {
             &self.config,
         )
         .or_low(&self.is_low)
+    }
+}
+
+/// The pieces of a log by one cause of a force that differs from the declared one.
+struct LeveledLog {
+    pieces: Vec<MeasuredPiece>,
+    config: InterpretConfig,
+    found_stiffness: Option<ToolStiffness>,
+    classified: ClassifiedPath,
+}
+
+impl LeveledLog {
+    /// Largest distance between the corners of the believed surface and the plane found [m]; infinite without a plane.
+    fn offset(&self, surface: &Surface) -> f64 {
+        let Some((fit, _)) = &self.classified.plane else {
+            return f64::INFINITY;
+        };
+        let corners = surface.outline.outer().iter();
+        let distances = corners.map(|corner| fit.height_at(corner.coords).abs());
+        distances.fold(0.0, f64::max)
     }
 }
 

@@ -17,9 +17,21 @@ pub enum PlanError {
         /// Required clearance, d_s \[m\].
         diameter: f64,
     },
+    /// No sample of the density lies at a free place, because the bandwidth is much larger than the surface.
+    #[error(
+        "surface \"{surface}\": the density of the dirt with plan.bandwidth_m = {bandwidth} has no sample at a free place; take a smaller bandwidth, such as {usual:.3}, or leave it out"
+    )]
+    BandwidthTooWide {
+        /// Name of the surface.
+        surface: String,
+        /// The bandwidth \[m\].
+        bandwidth: f64,
+        /// A usual bandwidth, the radius of the tool's collision sphere \[m\].
+        usual: f64,
+    },
     /// A coat thinner than half of what one pass leaves.
     #[error(
-        "one pass leaves {:.4} mm, more than twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
+        "one pass leaves {:.4} mm, at least twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
         1e3 * per_pass,
         1e3 * thickness
     )]

@@ -37,15 +37,26 @@ pub(super) fn plan_by_coverage(
 ) -> Result<Plan, PlanError> {
     let radius = space.radius();
     let particles: Vec<Point2> = task.particles.remaining().collect();
-    let coverage = strategy.nodes(&CoverageInput {
+    let input = CoverageInput {
         space,
         particles: &particles,
         tool_start: task.tool_start,
         tool_reach: task.tool.reach(),
         seed: config.seed,
         bandwidth: config.bandwidth,
-    })?;
+    };
+    let coverage = strategy.nodes(&input)?;
     if coverage.is_empty() && !particles.is_empty() {
+        if let Some(bandwidth) = config.bandwidth
+            && strategy.uses_bandwidth()
+            && !CoverageStrategy::Grid.nodes(&input)?.is_empty()
+        {
+            return Err(PlanError::BandwidthTooWide {
+                surface: task.surface.name.clone(),
+                bandwidth,
+                usual: radius,
+            });
+        }
         return Err(PlanError::NoFreeNode {
             surface: task.surface.name.clone(),
             diameter: 2.0 * radius,

@@ -1,6 +1,7 @@
 //! The verdict on a round: whether the goal is met, and what happens next.
 
-use crate::interpret::{Diagnosis, Interpretation, PerformanceDistribution};
+use crate::interpret::{Belief, Diagnosis, Interpretation, PerformanceDistribution};
+use crate::represent::Task;
 use std::fmt;
 
 /// Smallest rise of the estimate that counts as progress \[1\].
@@ -32,14 +33,15 @@ pub enum Verdict {
     Again,
     /// The estimate no longer rises.
     NoProgress,
-    /// No plan has a predicted gain: the remaining dirt has left the surface, or would leave it.
+    /// No plan has a predicted gain: the remaining dirt has left the surface, or would leave it; or too many points are
+    /// polished more often than the task allows, see [`exceeds_max_passes`].
     NothingToGain,
     /// The robot cannot wipe again: no plan or no motion was found for the surface at its measured pose.
     NoWay,
     /// The motion for the next round fails its audit, and is not executed.
     UnsafeMotion,
-    /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. This is
-    /// neither success nor failure.
+    /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. Or an observation
+    /// neither shows nor excludes that the goal is met. This is neither success nor failure.
     Undecidable,
     /// The goal may be met or not: further wiping is expected to change nothing, and touch cannot decide. For a
     /// tool that hovers, touch never can.
@@ -149,10 +151,30 @@ pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
         Verdict::GoalMet
     } else if is_cut {
         Verdict::Undecidable
-    } else if !is_seen && interpretation.performance.high >= target {
-        Verdict::UnknowableByTouch
-    } else {
+    } else if interpretation.performance.high < target {
         Verdict::Again
+    } else if is_seen {
+        // Nothing shows that the goal is met, and nothing excludes it.
+        Verdict::Undecidable
+    } else {
+        Verdict::UnknowableByTouch
+    }
+}
+
+/// Whether more points than the target leaves, 1 − `target`, are believed to be polished more often than the task allows. Then
+/// the goal is not met, and further passes cannot change that.
+pub fn exceeds_max_passes(task: &Task, belief: &Belief, target: f64) -> bool {
+    let weights = belief.weights().iter().copied();
+    (task.treatment)
+        .is_some_and(|polish| polish.exceeds_limit(belief.members().iter().zip(weights), target))
+}
+
+/// Returns `verdict`, or [`Verdict::NothingToGain`] instead of [`Verdict::GoalMet`] where points are polished too often; see
+/// [`exceeds_max_passes`].
+pub fn limit_by_max_passes(verdict: Verdict, task: &Task, belief: &Belief, target: f64) -> Verdict {
+    match verdict {
+        Verdict::GoalMet if exceeds_max_passes(task, belief, target) => Verdict::NothingToGain,
+        verdict => verdict,
     }
 }
 
@@ -163,6 +185,8 @@ pub fn assess_goal(verdict: Verdict, interpretation: &Interpretation, target: f6
     match (verdict, assess_log(interpretation, target)) {
         (Verdict::GoalMet, _) => Verdict::GoalMet,
         (_, Verdict::Undecidable) => Verdict::Undecidable,
+        // The estimate reaches the target, but too many points are polished too often.
+        (Verdict::NothingToGain, Verdict::GoalMet) => Verdict::NothingToGain,
         (_, Verdict::UnknowableByTouch | Verdict::GoalMet) => Verdict::UnknowableByTouch,
         (ended, _) => ended,
     }
@@ -450,6 +474,37 @@ mod tests {
             of_two(&[touched_round(&wide), touched_round(&surer)]),
             [Again, Again]
         );
+    }
+
+    #[test]
+    fn a_goal_is_not_met_where_too_many_points_are_polished_too_often() {
+        use crate::geometry::{Point2, Polygon, Pose, Vector2};
+        use crate::represent::{Action, Fate, Surface, Tool, Treatment};
+        let at = |passes| (Point2::origin(), Fate::Treated { passes });
+        // One of five points has more passes than the maximum.
+        let places = [at(1.0), at(1.0), at(1.0), at(2.0), at(4.0)];
+        let places = ParticleDistribution::with_fates(&places).unwrap();
+        let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+        let surface = Surface::new("plate", outline, Pose::identity());
+        let pad = Tool::pad("pad", Vector3::new(0.07, 0.11, 0.05)).unwrap();
+        let mut task = Task::new(Action::Polish, surface, pad, "paste", places.clone());
+        let belief = Belief::from_particles(places);
+        let limited =
+            |task: &Task, target| limit_by_max_passes(Verdict::GoalMet, task, &belief, target);
+        assert_eq!(limited(&task, TARGET), Verdict::GoalMet, "no treatment");
+        task.treatment = Some(Treatment::Polish {
+            passes: 1,
+            max_passes: 2,
+            preston: None,
+        });
+        assert_eq!(limited(&task, 0.9), Verdict::NothingToGain);
+        assert_eq!(limited(&task, 0.8), Verdict::GoalMet);
+        let again = limit_by_max_passes(Verdict::Again, &task, &belief, 0.9);
+        assert_eq!(again, Verdict::Again);
+        // The estimate alone would reach the target.
+        let estimated = touched_round(&[0.95; 8]);
+        let ended = assess_goal(Verdict::NothingToGain, &estimated, TARGET);
+        assert_eq!(ended, Verdict::NothingToGain);
     }
 
     #[test]

@@ -3,6 +3,9 @@
 use super::{DirtArea, Fate, GoalState, ParticleDistribution, ParticleError, SourceError};
 use crate::geometry::{Bounds2, Point2};
 
+/// Margin of shares for rounding [1].
+const ROUNDING: f64 = 1e-9;
+
 /// Target of an action that treats the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Treatment {
@@ -88,6 +91,30 @@ impl Treatment {
         let is_above = |fate: Fate| fate.passes().round() > f64::from(max_passes);
         let above = places.iter().filter(|(_, fate)| is_above(*fate)).count();
         Some(above as f64 / places.len().max(1) as f64)
+    }
+
+    /// Whether more of the places than 1 − `target` were polished more often than the treatment allows, so that the goal is not
+    /// met; on average over possible states of the surface, each with its weight.
+    ///
+    /// ```
+    /// use wisch::geometry::Point2;
+    /// use wisch::represent::{Fate, ParticleDistribution, Treatment};
+    /// let at = |passes| (Point2::origin(), Fate::Treated { passes });
+    /// let places = ParticleDistribution::with_fates(&[at(2.0), at(3.4), at(3.4), at(7.0)])?;
+    /// let polish = Treatment::Polish { passes: 2, max_passes: 3, preston: None };
+    /// assert!(polish.exceeds_limit([(&places, 1.0)], 0.76));
+    /// assert!(!polish.exceeds_limit([(&places, 1.0)], 0.75));
+    /// # Ok::<(), wisch::represent::ParticleError>(())
+    /// ```
+    pub fn exceeds_limit<'a>(
+        &self,
+        states: impl IntoIterator<Item = (&'a ParticleDistribution, f64)>,
+        target: f64,
+    ) -> bool {
+        let shares = states
+            .into_iter()
+            .map(|(places, weight)| weight * self.share_above_limit(places).unwrap_or(0.0));
+        shares.sum::<f64>() > 1.0 - target + ROUNDING
     }
 }
 

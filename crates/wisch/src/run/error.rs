@@ -70,6 +70,20 @@ pub enum RunError {
         /// Number of the robot's variables.
         expected: usize,
     },
+    /// Most detections of the camera are far from the surface.
+    #[error(
+        "{count} of {of} detections of the camera are beside surface {surface:?}, up to {farthest:.3} m from its edge: their unit or frame is probably wrong; expected metres in the frame of the believed surface, without dirt on other objects"
+    )]
+    DetectionsElsewhere {
+        /// Name of the surface.
+        surface: String,
+        /// Number of these detections.
+        count: usize,
+        /// Number of all detections.
+        of: usize,
+        /// Largest distance of a detection from the surface's edge \[m\].
+        farthest: f64,
+    },
     /// The robot is not where its motion begins.
     #[error(
         "round {round}: joint {joint:?} is {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit} (execution.start_rad), so the motion is not executed; move the joint to {start:.3} {unit}{}",
@@ -89,9 +103,9 @@ pub enum RunError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
-    /// The first sample of a motion shows the robot elsewhere.
+    /// The first sample of a motion shows the robot elsewhere than at its start, or on its way until then.
     #[error(
-        "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from the start of the motion, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
+        "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from {place}, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
     )]
     StartsElsewhere {
         /// The round, from 1.
@@ -100,12 +114,26 @@ pub enum RunError {
         time: f64,
         /// The joint with the largest distance.
         joint: String,
-        /// Its distance from the start of the motion [rad or m].
+        /// Its distance from that place [rad or m].
         distance: f64,
+        /// The place where the robot is expected, in words.
+        place: &'static str,
         /// The limit [rad or m].
         limit: f64,
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
+    },
+    /// The executor reported another number of velocities than the robot has variables.
+    #[error(
+        "round {round}: the executor reported {found} joint velocities before the motion, expected {expected}, or none if it does not measure them"
+    )]
+    Velocities {
+        /// The round, from 1.
+        round: usize,
+        /// Number of reported velocities.
+        found: usize,
+        /// Number of the robot's variables.
+        expected: usize,
     },
     /// The robot moves before its motion begins.
     #[error(

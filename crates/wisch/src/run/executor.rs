@@ -118,7 +118,7 @@ impl<E: Executor + ?Sized> Executor for &mut E {
 /// The measured state of a robot.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RobotState {
-    /// Positions of all n variables [rad or m].
+    /// Positions of all n variables [rad or m]; empty if they are not known.
     pub positions: Vec<f64>,
     /// Their velocities [rad/s or m/s]; empty if they are not measured.
     pub velocities: Vec<f64>,

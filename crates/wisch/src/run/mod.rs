@@ -3,6 +3,7 @@
 //! A [`Session`] is the only item here with state. It advances one stage at a time, reports its progress by
 //! [`RunEvent`]s, and reaches the world only through an [`Executor`].
 
+mod beside;
 mod config;
 mod considered;
 mod error;
@@ -13,6 +14,7 @@ mod force_ramp;
 mod knots;
 mod order;
 mod own_strategy;
+mod pose_agreement;
 mod round;
 mod session;
 mod stance;

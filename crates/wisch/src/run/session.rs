@@ -3,16 +3,18 @@
 mod executing;
 mod planning;
 
+use super::beside::keep_on_surface;
 use super::stance::root_pose;
 use super::{
     AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
     RobotSetup, Round, RunConfig, RunError, RunEvent,
 };
 use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
-use crate::interpret::{Belief, Interpretation, Interpreter, ObservationUpdate};
+use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
 use crate::plan::{Plan, predict};
 use crate::recover::{
-    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, next_task,
+    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, limit_by_max_passes,
+    next_task,
 };
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
@@ -78,6 +80,8 @@ pub struct Session<'a> {
     rounds: Vec<Round>,
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
     first_observation: Option<Option<Observation>>,
+    /// Doubts about the data of the current round that its interpretation does not find.
+    doubts: Vec<Doubt>,
     is_stopped: bool,
     /// Last known joint positions, all n variables [rad or m]; `None` before the first
     /// measurement.
@@ -123,6 +127,7 @@ impl<'a> Session<'a> {
             state: State::Begin,
             rounds: Vec::new(),
             first_observation: None,
+            doubts: Vec::new(),
             is_stopped: false,
             stands: None,
             retreats: false,
@@ -356,7 +361,9 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_observation.is_none() {
             self.observe_first(executor, observer)?;
         }
-        if let Some(state) = executor.state()? {
+        if let Some(state) = executor.state()?
+            && !state.positions.is_empty()
+        {
             self.set_positions(Some(state.positions));
         }
         if self.retreats && self.stands.is_none() {
@@ -390,6 +397,10 @@ impl<'a> Session<'a> {
             self.first_observation = Some(None);
             return Ok(());
         };
+        let error = (self.config.sight).map_or(0.0, |sight| sight.sensor.position_error_m);
+        let surface = &self.task.surface;
+        let (observation, beside) = keep_on_surface(observation, surface, error, true)?;
+        self.doubts.extend(beside);
         let _ = observer(&RunEvent::Observed {
             round: 0,
             observation: &observation,
@@ -553,14 +564,24 @@ impl<'a> Session<'a> {
         let _ = observer(&RunEvent::Interpreting { round });
         let goal = self.goal_of(&planned.plan);
         let mut interpretation = interpreter.conclude(&planned.believed, &goal)?;
+        for doubt in std::mem::take(&mut self.doubts) {
+            interpretation.add_doubt(doubt);
+        }
         // After an executor failed, the session does not ask it for an observation.
         let sight = self.config.sight.filter(|_| self.failure.is_none());
-        let seen = match sight.map(|_| executor.observe(&planned.task)).transpose() {
-            Ok(seen) => seen.flatten(),
+        let seen = sight.map(|_| executor.observe(&planned.task)).transpose();
+        let kept = seen.map_err(RunError::from).and_then(|seen| {
+            let error = sight.map_or(0.0, |sight| sight.sensor.position_error_m);
+            let keep = |seen| keep_on_surface(seen, &planned.task.surface, error, false);
+            seen.flatten().map(keep).transpose()
+        });
+        let (seen, beside) = match kept {
+            Ok(Some((seen, beside))) => (Some(seen), beside),
+            Ok(None) => (None, None),
             // The executed part gets a verdict by touch alone, and is kept.
             Err(error) => {
-                self.failure = Some(error.into());
-                None
+                self.failure = Some(error);
+                (None, None)
             }
         };
         if let (Some(sight), Some(observation)) = (sight, seen) {
@@ -575,6 +596,9 @@ impl<'a> Session<'a> {
                 goal: &goal,
                 seed: planned.task.seed,
             });
+        }
+        if let Some(doubt) = beside {
+            interpretation.add_doubt(doubt);
         }
         self.state = State::Interpreted(planned, audit, execution, Box::new(interpretation));
         Ok(Stage::Interpreted)
@@ -597,6 +621,8 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
+        let verdict =
+            limit_by_max_passes(verdict, task, &interpretation.belief, self.config.target);
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
             Ending::ProtectiveStop { cause, .. } => {

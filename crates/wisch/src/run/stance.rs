@@ -33,7 +33,7 @@ pub(super) fn check_rest(state: &RobotState, planned: &PlannedRound) -> Result<(
         return Ok(());
     }
     if found != expected {
-        return Err(RunError::Positions {
+        return Err(RunError::Velocities {
             round,
             found,
             expected,
@@ -42,7 +42,7 @@ pub(super) fn check_rest(state: &RobotState, planned: &PlannedRound) -> Result<(
     let speeds = state.velocities.iter().map(|velocity| velocity.abs());
     let fastest = speeds.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
     match fastest {
-        Some((i, velocity)) if velocity > AT_REST => Err(RunError::Moving {
+        Some((i, velocity)) if velocity > AT_REST || velocity.is_nan() => Err(RunError::Moving {
             round,
             joint: robot.variable(i).name.clone(),
             velocity,
@@ -79,7 +79,7 @@ pub(super) fn check_start(
     let distances = stands.iter().zip(&start.q).map(|(a, b)| (a - b).abs());
     let farthest = distances.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
     match farthest {
-        Some((i, distance)) if distance > limit => {
+        Some((i, distance)) if distance > limit || distance.is_nan() => {
             let joint = cell.robot().variable(i);
             Err(RunError::Start {
                 round: *round,
@@ -96,11 +96,14 @@ pub(super) fn check_start(
 
 /// Latest time of a motion's first sample at which the robot is still near the start of the motion [s].
 const BEGINNING: f64 = 1.0;
+/// Step in which a later first sample is compared with the motion until then [s]: within it, no joint moves far.
+const WAY_STEP: f64 = 0.05;
 /// Distance of a joint from the start of a motion, or from its setpoint, that the beginning of a motion explains [rad or m].
 const NEAR_START: f64 = 0.3;
 
-/// Checks that the first measured positions of a motion are near its start: the robot stands there, and the executor
-/// reports the joints in their order and units. `tolerance`: largest distance before the motion [rad or m].
+/// Checks that the first measured positions of a motion are near its start, or later on its way until then: the robot
+/// stands there, and the executor reports the joints in their order and units. `tolerance`: largest distance before the
+/// motion [rad or m].
 pub(super) fn check_first_sample(
     sample: &TelemetrySample<'_>,
     planned: &PlannedRound,
@@ -110,30 +113,52 @@ pub(super) fn check_first_sample(
     let [Some(start), Some(present)] = setpoints else {
         return Ok(());
     };
-    if sample.time > BEGINNING || sample.positions.len() != start.q.len() {
+    if sample.positions.len() != start.q.len() {
         return Ok(());
     }
     let limit = NEAR_START.max(tolerance);
     let nearest = |(position, (start, present)): (&f64, (&f64, &f64))| {
         (position - start).abs().min((position - present).abs())
     };
-    let setpoints = start.q.iter().zip(&present.q);
-    let distances = sample.positions.iter().zip(setpoints).map(nearest);
-    let farthest = distances.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-    match farthest {
-        Some((i, distance)) if distance > limit => {
+    let (distances, place): (Vec<f64>, _) = if sample.time <= BEGINNING {
+        let setpoints = start.q.iter().zip(&present.q);
+        let distances = sample.positions.iter().zip(setpoints).map(nearest);
+        (distances.collect(), "the start of the motion")
+    } else {
+        let distances = distances_from_way(sample.positions, &planned.followed, sample.time);
+        (distances, "its motion until then")
+    };
+    let farthest = distances.into_iter().enumerate();
+    match farthest.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((i, distance)) if distance > limit || distance.is_nan() => {
             let joint = planned.cell.robot().variable(i);
             Err(RunError::StartsElsewhere {
                 round: planned.number,
                 time: sample.time,
                 joint: joint.name.clone(),
                 distance,
+                place,
                 limit,
                 unit: joint.kind.unit(),
             })
         }
         _ => Ok(()),
     }
+}
+
+/// Returns the distance of each joint from the nearest point of a motion until a time [rad or m]: a robot may be slower
+/// than planned.
+fn distances_from_way(positions: &[f64], followed: &Followed, time: f64) -> Vec<f64> {
+    let until = time.min(followed.duration());
+    let steps = (until / WAY_STEP).ceil().max(1.0) as usize;
+    let way = (0..=steps).filter_map(|k| followed.sample(until * k as f64 / steps as f64));
+    let distances = way.map(|at| {
+        let joints = positions.iter().zip(&at.q);
+        joints.map(|(a, b)| (a - b).abs()).collect::<Vec<f64>>()
+    });
+    let largest = |distances: &[f64]| distances.iter().copied().fold(0.0, f64::max);
+    let nearest = distances.min_by(|a, b| largest(a).total_cmp(&largest(b)));
+    nearest.unwrap_or_default()
 }
 
 /// Returns the pose of the robot's root after an execution; the planned pose if the joints are not measured.

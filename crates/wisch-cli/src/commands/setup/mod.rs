@@ -10,7 +10,9 @@ use crate::terminal::{Outcome, print, remark};
 use proposal::{Proposal, is_mobile, propose};
 use std::path::{Path, PathBuf};
 use text::{FailedRecord, SetupRecord, comments, describe, group_lines, next_steps, tip_note};
-use wisch::robot::setup::{ArmChain, SetupConfig, SetupError, SetupStage, find_arms};
+use wisch::robot::setup::{
+    ArmChain, SetupConfig, SetupError, SetupStage, find_arms, find_table, held_posture,
+};
 use wisch::robot::{LinkId, RobotModel, VirtualJoint};
 use wisch_io::{
     Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes, robot_warnings,
@@ -57,7 +59,11 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
     };
     let mut proposal = match propose(&robot, &tips, task.as_ref(), &config, report) {
         Ok(proposal) => proposal,
-        Err(error @ (SetupError::NoArm { .. } | SetupError::NoReadyPosture { .. })) => {
+        Err(
+            error @ (SetupError::NoArm { .. }
+            | SetupError::NoRange { .. }
+            | SetupError::NoReadyPosture { .. }),
+        ) => {
             drop((progress, file));
             let arms = find_arms(&robot, &tips).unwrap_or_default();
             return tell_failure(args, global, &robot, &error, &arms);
@@ -137,6 +143,20 @@ fn refuse_existing(out: &Path, force: bool) -> Result<(), Failure> {
         .with_help("choose another name with --out, or overwrite it with --force"))
 }
 
+/// Describes where a surface is assumed without a task.
+fn describe_assumed_place(robot: &RobotModel, arms: &[ArmChain]) -> String {
+    let table = find_table(robot, arms, &held_posture(robot).0);
+    match table.ok().flatten() {
+        Some(top) => format!(
+            "without a task, a table is assumed {:.3} m below the root of the robot, and the tool above both",
+            -top
+        ),
+        None => {
+            "without a task, a surface beside the robot is assumed, below its shoulder".to_owned()
+        }
+    }
+}
+
 /// Prints that a part of the SRDF could not be found.
 fn tell_failure(
     args: &RobotSetupArgs,
@@ -146,14 +166,18 @@ fn tell_failure(
     arms: &[ArmChain],
 ) -> Result<Outcome, Failure> {
     let help = match error {
-        SetupError::NoArm { .. } => "name the link that holds the tool with --tip",
+        SetupError::NoArm { .. } => "name the link that holds the tool with --tip".to_owned(),
+        SetupError::NoRange { .. } => "correct the position limits in the URDF".to_owned(),
         _ if args.task.is_some() => {
-            "move the robot or the surface in the task, or leave --task out"
+            "move the robot or the surface in the task, or leave --task out".to_owned()
         }
-        _ => "name another link with --tip, or check the collision shapes and the joint limits",
+        _ => format!(
+            "{}: choose a task with --task, whose surface and obstacles are used instead, name another link with --tip, or check the collision shapes and the joint limits",
+            describe_assumed_place(robot, arms)
+        ),
     };
     if args.json {
-        print(&FailedRecord::new(args, robot, error, help).line()?)?;
+        print(&FailedRecord::new(args, robot, error, &help).line()?)?;
     } else if !global.quiet {
         let name = robot.name();
         let mut text = format!("{name}: no SRDF written\n  {:<12} {error}\n", "reason");

@@ -7,7 +7,7 @@ use std::path::Path;
 use wisch::geometry::{
     LikelyUnit, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError, Vector3,
 };
-use wisch_io::read;
+use wisch_io::{read, up_axis_remark};
 
 /// Usual lengths of a surface that is wiped [m]; a mesh outside them is probably in another unit.
 const USUAL_EXTENT: [f64; 2] = [0.02, 20.0];
@@ -46,7 +46,8 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
             MeshFormat::EXTENSIONS
         ))
     })?;
-    let mesh = Mesh::parse(&read(&args.file)?, format, &name).map_err(Failure::new)?;
+    let bytes = read(&args.file)?;
+    let mesh = Mesh::parse(&bytes, format, &name).map_err(Failure::new)?;
     let scaled = mesh.vertices().iter().map(|p| p * args.scale).collect();
     let mesh = Mesh::new(scaled, mesh.triangles().to_vec())
         .map_err(|error| Failure::new(format!("{name}, scaled by {}: {error}", args.scale)))?;
@@ -61,7 +62,7 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
         },
         stretch_limit: args.stretch_limit,
     };
-    let mut notes = Vec::new();
+    let mut notes: Vec<String> = up_axis_remark(&name, &bytes).into_iter().collect();
     let [least, most] = USUAL_EXTENT;
     if let Some(unit) = LikelyUnit::guess(mesh.extent(), least, most) {
         notes.push(format!(
@@ -120,11 +121,21 @@ pub(super) fn remark_on_smoothing(
     config: &SheetConfig,
 ) -> Option<String> {
     let smoothed = sheet.smoothed_by();
-    (smoothed > NOTICED_SMOOTHING * args.compression_depth_m).then(|| {
+    let is_beyond = sheet.is_smoothed_beyond(args.compression_depth_m);
+    (is_beyond || smoothed > NOTICED_SMOOTHING * args.compression_depth_m).then(|| {
+        let consequence = if is_beyond {
+            "; that is more than its compression, and contact with these shapes is not predicted"
+        } else {
+            ""
+        };
+        let at = sheet.smoothed_at();
         format!(
-            "smoothing to the scale of the tool moved the surface by up to {:.1} mm: the mesh has shapes that a tool of \
-             {:.3} m radius does not follow",
+            "smoothing to the scale of the tool moved the surface by up to {:.1} mm, at ({:.3}, {:.3}, {:.3}) m: the mesh has shapes that a tool of \
+             {:.3} m radius does not follow{consequence}",
             1e3 * smoothed,
+            at.x,
+            at.y,
+            at.z,
             config.tool_radius
         )
     })

@@ -70,6 +70,10 @@ struct ChartRecord {
     triangles: usize,
     area_m2: f64,
     smoothed_by_m: f64,
+    /// Point of the mesh that smoothing moved farthest.
+    smoothed_at: [f64; 3],
+    /// Whether smoothing removed shapes that the tool does not follow: `touched_share` then holds for the smoothed surface only.
+    smoothed_beyond_compression: bool,
     estimated_charts: usize,
     stretch: StretchRecord,
     largest_bulge: PlacedValue,
@@ -128,6 +132,8 @@ pub(super) fn check_record(checked: &CheckedMesh) -> Result<String, Failure> {
             triangles: sheet.triangle_count(),
             area_m2: sheet.area(),
             smoothed_by_m: sheet.smoothed_by(),
+            smoothed_at: sheet.smoothed_at().coords.into(),
+            smoothed_beyond_compression: sheet.is_smoothed_beyond(checked.args.compression_depth_m),
             estimated_charts: sheet.estimate_charts(),
             stretch: stretch_record(sheet, checked.args.stretch_limit),
             largest_bulge: measures.bulge,

@@ -32,9 +32,13 @@ pub(super) fn report(checked: &CheckedMesh) -> String {
         line("normals", &describe_normals(measures));
         line(
             "smoothing",
-            &format!("up to {:.2} mm", 1e3 * sheet.smoothed_by()),
+            &format!(
+                "up to {:.2} mm, at {}",
+                1e3 * sheet.smoothed_by(),
+                place(&sheet.smoothed_at().coords.into())
+            ),
         );
-        line("tool", &describe_contact(checked, measures));
+        line("tool", &describe_contact(checked, sheet, measures));
     }
     for note in &checked.notes {
         line("note", note);
@@ -186,17 +190,27 @@ fn describe_normals(measures: &Measures) -> String {
     )
 }
 
-fn describe_contact(checked: &CheckedMesh, measures: &Measures) -> String {
+fn describe_contact(checked: &CheckedMesh, sheet: &Sheet, measures: &Measures) -> String {
     let [x, y] = checked.args.tool_size;
     let needed = &measures.needed_compression;
     format!(
-        "{x:.3} x {y:.3} m with {:.1} mm of compression touches with its whole footprint on {} of the area, turned as is best; \
+        "{x:.3} x {y:.3} m with {:.1} mm of compression touches with its whole footprint on {} of {}, turned as is best; \
          {:.1} mm are needed at {}",
         1e3 * checked.args.compression_depth_m,
         percent(measures.touched_share),
+        touched_area(sheet, checked.args.compression_depth_m),
         1e3 * needed.value,
         place(&needed.at)
     )
+}
+
+/// The area to which a share that the tool touches refers, in words; the smoothed one, where the tool does not follow the mesh.
+pub(super) fn touched_area(sheet: &Sheet, depth: f64) -> &'static str {
+    if sheet.is_smoothed_beyond(depth) {
+        "the smoothed area (on the mesh as given, less: the smoothing exceeds the compression)"
+    } else {
+        "the area"
+    }
 }
 
 /// Formats a place [m].

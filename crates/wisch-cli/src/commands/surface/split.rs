@@ -3,7 +3,7 @@
 use super::checked::{ReadMesh, advise, read_mesh, remark_on_smoothing};
 use super::measures::{Measures, PlacedValue};
 use super::record::{StretchRecord, ToolRecord, stretch_record};
-use super::report::{describe_chart, describe_part, place};
+use super::report::{describe_chart, describe_part, place, touched_area};
 use super::{check_name_of_picture, draw_chart, write};
 use crate::args::{GlobalArgs, SurfaceMeshArgs, SurfaceSplitArgs};
 use crate::commands::words::{counted, internal, percent};
@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::Path;
-use wisch::geometry::{Atlas, Mesh, Point2, SheetConfig, SheetError};
+use wisch::geometry::{Atlas, MAX_CHARTS, Mesh, Point2, SheetConfig, SheetError};
 use wisch_report::{PatchesInput, patches_drawing};
 
 /// The schema of the object.
@@ -55,14 +55,13 @@ struct SeamRecord {
     length_m: f64,
 }
 
-/// What to do about a mesh that needs too many patches.
-const DIVIDE: &str = "allow more patches with --max-patches, take a larger --stretch-limit, or a larger --tool-radius, which smooths the mesh";
-
 /// A divided mesh.
 struct SplitMesh<'a> {
     args: &'a SurfaceMeshArgs,
     read: ReadMesh,
     atlas: Result<Atlas, SheetError>,
+    /// Largest number of patches.
+    most: usize,
     /// Of each patch.
     measures: Vec<Measures>,
 }
@@ -76,7 +75,8 @@ pub fn split_surface(args: &SurfaceSplitArgs, global: &GlobalArgs) -> Result<Out
             .with_help("choose another folder with --out"));
     }
     let mut read = read_mesh(&args.mesh)?;
-    let atlas = match Atlas::from_mesh(&read.mesh, &read.config, usize::from(args.max_patches)) {
+    let most = usize::from(args.max_patches);
+    let atlas = match Atlas::from_mesh(&read.mesh, &read.config, most) {
         Err(error @ SheetError::Setting { .. }) => return Err(Failure::new(error)),
         atlas => atlas,
     };
@@ -90,6 +90,7 @@ pub fn split_surface(args: &SurfaceSplitArgs, global: &GlobalArgs) -> Result<Out
         args: &args.mesh,
         read,
         atlas,
+        most,
         measures,
     };
     if let Ok(atlas) = &split.atlas {
@@ -145,6 +146,17 @@ impl SplitMesh<'_> {
         Ok(())
     }
 
+    /// Returns what to do about a problem.
+    fn advise(&self, problem: &SheetError) -> String {
+        let coarser = "take a larger tool, which smooths the mesh (--tool-radius), or cut the mesh";
+        if self.most < MAX_CHARTS {
+            let more = format!("allow more patches with --max-patches, or {coarser}");
+            advise(problem, &more)
+        } else {
+            advise(problem, coarser)
+        }
+    }
+
     fn config(&self) -> &SheetConfig {
         &self.read.config
     }
@@ -157,7 +169,7 @@ impl SplitMesh<'_> {
             Ok(atlas) => atlas,
             Err(problem) => {
                 line("problem", &problem.to_string());
-                line("advice", &advise(problem, DIVIDE));
+                line("advice", &self.advise(problem));
                 return text;
             }
         };
@@ -187,8 +199,9 @@ impl SplitMesh<'_> {
             line(
                 "",
                 &format!(
-                    "the tool touches {} of the area with its whole footprint",
-                    percent(measures.touched_share)
+                    "the tool touches {} of {} with its whole footprint",
+                    percent(measures.touched_share),
+                    touched_area(chart, self.args.compression_depth_m)
                 ),
             );
             let with = |&[one, two]: &[usize; 2]| match (one == index, two == index) {
@@ -236,11 +249,7 @@ impl SplitMesh<'_> {
             schema: SCHEMA,
             file: &self.read.name,
             problem: self.atlas.as_ref().err().map(ToString::to_string),
-            advice: self
-                .atlas
-                .as_ref()
-                .err()
-                .map(|problem| advise(problem, DIVIDE)),
+            advice: (self.atlas.as_ref().err()).map(|problem| self.advise(problem)),
             notes: &self.read.notes,
             triangles: self.read.mesh.triangles().len(),
             tool: ToolRecord::new(self.args, self.config().tool_radius),

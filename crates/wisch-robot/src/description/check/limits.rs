@@ -31,7 +31,7 @@ pub(super) fn check_limits(j: &UrdfJoint, follows: bool, report: &mut Diagnostic
     }
 }
 
-/// Checks that a joint has position limits, and that they differ.
+/// Checks that a joint has both position limits, and that they differ.
 fn check_position_limits(
     j: &UrdfJoint,
     limit: &UrdfLimit,
@@ -39,6 +39,19 @@ fn check_position_limits(
     follows: bool,
     report: &mut Diagnostics,
 ) {
+    if let Some(absent) = j.assumed_limit {
+        let w = words(
+            format!("it has no {absent} position limit, but the other one"),
+            format!("lower and upper [{unit}]"),
+            format!("add <limit {absent}>; without it 0 {unit} is assumed, the default of URDF"),
+        );
+        add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
+    }
+    let only = match (limit.lower, limit.upper) {
+        (Some(lower), None) => Some(("lower", lower)),
+        (None, Some(upper)) => Some(("upper", upper)),
+        _ => None,
+    };
     match (limit.lower, limit.upper) {
         (Some(lower), Some(upper)) if lower == upper && !follows => {
             let w = words(
@@ -51,18 +64,18 @@ fn check_position_limits(
         (Some(_), Some(_)) => {}
         _ if follows => {}
         _ => {
+            let value = only.map_or_else(
+                || "it has no finite position limits".to_owned(),
+                |(stated, limit)| {
+                    format!("{stated} = {limit} {unit} is its only finite position limit")
+                },
+            );
             let w = words(
-                "it has no finite position limits",
+                value,
                 format!("lower and upper [{unit}]"),
-                "add <limit lower upper>, or make the joint continuous",
+                "add <limit lower upper>, or make the joint continuous; until then it moves without position limits",
             );
-            add_of_joint(
-                report,
-                Severity::Warning,
-                DiagnosticKind::LimitMissing,
-                j,
-                w,
-            );
+            add_of_joint(report, Severity::Warning, DiagnosticKind::Limit, j, w);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Height fields in Esri's ASCII raster format (`.asc`), the text format to which GDAL converts any raster.
 
-use super::{MAX_TRIANGLES, Mesh, MeshError, Point3};
+use super::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, Point3};
 
 /// Height of a cell without data, unless the header states another.
 const NO_DATA: f64 = -9999.0;
@@ -12,6 +12,8 @@ struct Header {
     rows: Option<usize>,
     /// Middle or corner of the lower left cell, by axis.
     origin: [Option<Origin>; 2],
+    /// Numbers of their lines, by axis.
+    origin_lines: [usize; 2],
     cell: [Option<f64>; 2],
     no_data: Option<f64>,
 }
@@ -46,6 +48,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 line: number,
                 reason,
             })?;
+        if let Some(axis) = ["xll", "yll"]
+            .iter()
+            .position(|begin| key.starts_with(begin))
+        {
+            header.origin_lines[axis] = number;
+        }
         lines.next();
     }
     let grid = header
@@ -135,6 +143,13 @@ impl Header {
                 Some(Origin::Corner(at)) => at + 0.5 * cell,
                 None => return Err(missing(["xllcorner", "yllcorner"][axis])),
             };
+            let count = [columns, rows][axis];
+            let last = first + cell * (count - 1) as f64;
+            let farthest = first.abs().max(last.abs());
+            if farthest > MAX_COORDINATE {
+                let fault = too_far(axis, self.origin[axis], farthest, cell * count as f64);
+                return Err(format!("line {}: {fault}", self.origin_lines[axis]));
+            }
             Ok((first, cell))
         };
         let ((x, dx), (y, dy)) = (of_axis(0)?, of_axis(1)?);
@@ -152,6 +167,26 @@ impl Header {
             no_data: self.no_data.unwrap_or(NO_DATA),
         })
     }
+}
+
+/// Why a raster reaches beyond the largest coordinate: it lies far away, as in a map, or it is too large itself.
+fn too_far(axis: usize, origin: Option<Origin>, farthest: f64, extent: f64) -> String {
+    let name = ["x", "y"][axis];
+    let (key, at) = match origin {
+        Some(Origin::Middle(at)) => ("llcenter", at),
+        Some(Origin::Corner(at)) => ("llcorner", at),
+        None => ("llcorner", 0.0),
+    };
+    let advice = if extent <= MAX_COORDINATE {
+        format!(
+            "coordinates of a map are too large; set {name}{key} to 0 in the file, and the place in the world with position_m of the surface or object"
+        )
+    } else {
+        format!("the raster is {extent} m long; state cellsize in metres, or cut the raster")
+    };
+    format!(
+        "{name}{key} = {at} puts cells {farthest:.2} m from 0 along {name}, beyond the limit of {MAX_COORDINATE} m: {advice}"
+    )
 }
 
 struct Grid {
@@ -262,6 +297,21 @@ mod tests {
             ("3 4", "3", "3 heights, but its header announces 2 x 2"),
             ("1 2\n3 4", "-9999 2\n-9999 4", "it has no triangle"),
             ("3 4", "3 inf", "z = inf m exceeds the limit"),
+            (
+                "xllcorner 0",
+                "xllcorner 500000",
+                "line 3: xllcorner = 500000 puts cells 500000.15 m from 0 along x, beyond the limit of 10000 m: coordinates of a map are too large; set xllcorner to 0",
+            ),
+            (
+                "yllcorner 0",
+                "yllcenter -20000",
+                "line 4: yllcenter = -20000 puts cells 20000.00 m from 0 along y, beyond the limit",
+            ),
+            (
+                "cellsize 0.1",
+                "cellsize 9000",
+                "xllcorner = 0 puts cells 13500.00 m from 0 along x, beyond the limit of 10000 m: the raster is 18000 m long; state cellsize in metres",
+            ),
             (
                 "ncols 2\nnrows 2",
                 "ncols 100000\nnrows 100000",

@@ -293,8 +293,8 @@ impl Search<'_> {
         halves.into_iter().map(renamed).collect()
     }
 
-    /// Joins neighbouring cells while their union unrolls within the limit, the smallest unions first, as long as the work
-    /// is worth it.
+    /// Joins neighbouring cells while their union unrolls within the limit, the smallest unions first, until the limit of the
+    /// work.
     fn join(&self, mut division: Division) -> Division {
         let mut refused: BTreeSet<Vec<u32>> = BTreeSet::new();
         let (mut work, most_work) = (0, JOINING * self.graph.neighbours.len());

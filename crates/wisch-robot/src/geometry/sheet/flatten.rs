@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 /// Most rounds of rotating triangles and moving vertices. Developable parts need 2, other ones 60 to 120.
 const MAX_ROUNDS: usize = 300;
-/// Rounds after which a chart may be given up. Later rounds change the stretch of few triangles.
+/// Rounds after which a chart may be abandoned. Later rounds change the stretch of few triangles.
 const TRIAL_ROUNDS: usize = 20;
 /// Movement at which the rounds end, relative to the longest edge [1].
 const MOVEMENT: f64 = 1e-7;

@@ -47,6 +47,8 @@ pub(super) struct Prepared {
     pub(super) fits: Vec<LocalFit>,
     pub(super) survey: MeshSurvey,
     pub(super) smoothed_by: f64,
+    /// Vertex before smoothing that moved farthest [m].
+    pub(super) smoothed_at: Point3,
     /// Whether each triangle lies beyond the seams of a patch; empty if there are none beyond.
     pub(super) is_beyond: Vec<bool>,
 }
@@ -83,9 +85,13 @@ impl Prepared {
         };
         let fits = fit_vertices(&surface, &samples, config.tool_radius, longest);
         let given = surface.vertices.clone();
-        let mut smoothed_by: f64 = 0.0;
+        // A surface with a triangle has a vertex.
+        let (mut smoothed_by, mut smoothed_at) = (0.0, given[0]);
         for (vertex, fit) in surface.vertices.iter_mut().zip(&fits) {
-            smoothed_by = smoothed_by.max((*vertex - fit.point).norm());
+            let moved = (*vertex - fit.point).norm();
+            if moved > smoothed_by {
+                (smoothed_by, smoothed_at) = (moved, *vertex);
+            }
             *vertex = fit.point;
         }
         Ok(Self {
@@ -94,6 +100,7 @@ impl Prepared {
             fits,
             survey: part.survey,
             smoothed_by,
+            smoothed_at,
             is_beyond: Vec::new(),
         })
     }
@@ -115,6 +122,7 @@ impl Prepared {
             fits: origins.iter().map(|&i| self.fits[i]).collect(),
             survey: self.survey.clone(),
             smoothed_by: self.smoothed_by,
+            smoothed_at: self.smoothed_at,
             is_beyond: Vec::new(),
         }
     }

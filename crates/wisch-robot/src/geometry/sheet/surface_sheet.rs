@@ -14,10 +14,12 @@ use nalgebra::Matrix2;
 
 /// Share of the area that may be stretched beyond the limit [1].
 const STRETCHED_SHARE: f64 = 0.01;
-/// Share of the area stretched beyond the limit after a few rounds at which a patch is given up [1].
+/// Share of the area stretched beyond the limit after a few rounds at which a patch is abandoned [1].
 const HOPELESS_SHARE: f64 = 0.3;
 /// Weight of a triangle beyond the seams of a patch while the patch is unrolled, relative to one within it [1].
 const WEIGHT_BEYOND: f64 = 0.01;
+/// Smoothing by less than this does not matter to contact [m].
+const LEAST_LIMIT: f64 = 5e-4;
 /// Integral of the absolute Gaussian curvature that a part with a stretch of 3 % may have \[rad²\]. A cap of a sphere to the
 /// angle θ has 2π(1 − cos θ) ≈ πθ², and a stretch of at least θ²/12: 0.6 leaves 1.6 %.
 const CURVATURE_PER_PART: f64 = 0.6;
@@ -60,6 +62,7 @@ pub struct Sheet {
     stretch: SheetStretch,
     survey: MeshSurvey,
     smoothed_by: f64,
+    smoothed_at: Point3,
     areas: Vec<f64>,
     /// Directions of the chart's x at the vertices, not normalised.
     x_axes: Vec<Vector3>,
@@ -156,6 +159,7 @@ impl Sheet {
             fits,
             survey,
             smoothed_by,
+            smoothed_at,
             is_beyond,
             ..
         } = prepared;
@@ -202,6 +206,7 @@ impl Sheet {
             stretch,
             survey,
             smoothed_by,
+            smoothed_at,
             overlap,
             stretch_limit: limit,
             grid,
@@ -404,6 +409,29 @@ impl Sheet {
     /// Largest distance by which smoothing moved a vertex \[m\].
     pub fn smoothed_by(&self) -> f64 {
         self.smoothed_by
+    }
+
+    /// Point of the mesh as given that smoothing moved farthest, in the frame of the mesh \[m\].
+    pub fn smoothed_at(&self) -> Point3 {
+        self.smoothed_at
+    }
+
+    /// Returns the largest distance by which smoothing may move a surface so that a tool with this compression still touches
+    /// the surface as given \[m\]: the compression, and at least 0.5 mm.
+    ///
+    /// ```
+    /// use wisch_robot::geometry::Sheet;
+    /// assert_eq!(Sheet::limit_smoothing(0.005), 0.005);
+    /// assert_eq!(Sheet::limit_smoothing(0.0), 0.0005);
+    /// ```
+    pub fn limit_smoothing(compression_depth: f64) -> f64 {
+        compression_depth.max(LEAST_LIMIT)
+    }
+
+    /// Whether smoothing removed shapes that a tool with this compression \[m\] does not follow, so that contact there is not
+    /// predicted; see [`Self::limit_smoothing`].
+    pub fn is_smoothed_beyond(&self, compression_depth: f64) -> bool {
+        self.smoothed_by > Self::limit_smoothing(compression_depth)
     }
 
     /// Area of the surface \[m²\].

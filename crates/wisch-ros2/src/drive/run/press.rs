@@ -27,7 +27,7 @@ impl MotionRun<'_> {
     pub(super) fn tare(&mut self) -> Turned<()> {
         self.settle()?;
         self.bias = Vector3::zeros();
-        self.is_tared = false;
+        (self.is_tared, self.is_tared_anew) = (false, false);
         if let Some(tare) = &self.robot.tare {
             let request = match tare.send(EmptyRequest::default()) {
                 Ok(request) => request,
@@ -46,7 +46,7 @@ impl MotionRun<'_> {
                     format!("{name} refuses: {}", answer.message),
                 );
             }
-            self.pause(TARE_DELAY)?;
+            self.turn_for(TARE_DELAY)?;
         }
         let forces = self.measure_forces(TARE_MEASURE)?;
         let mean = forces.iter().sum::<Vector3<f64>>() / forces.len().max(1) as f64;
@@ -72,12 +72,13 @@ impl MotionRun<'_> {
             );
         }
         self.bias = mean;
-        self.is_tared = true;
+        (self.is_tared, self.is_tared_anew) = (true, true);
         self.driver.tare.set(Some(mean));
         Ok(())
     }
 
-    fn pause(&mut self, time: Duration) -> Turned<()> {
+    /// Waits while samples are passed on.
+    fn turn_for(&mut self, time: Duration) -> Turned<()> {
         let end = Instant::now() + time;
         while Instant::now() < end {
             self.turn()?;

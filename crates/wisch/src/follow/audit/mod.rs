@@ -16,6 +16,7 @@ pub use wisch_robot::timing::{
     MotionEnd, RateKind, TrajectoryCheckConfig, TrajectoryFault, trajectory_faults,
 };
 
+use crate::digits::apart_from;
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,
     JointLimits, JointPath, LEAN_TOLERANCE, LineDeviation, Motion, Phase, Trajectory,
@@ -69,7 +70,8 @@ pub enum MotionFault {
     /// A joint needs more effort than its limit to carry and accelerate the robot's own bodies, without tool
     /// and contact.
     #[error(
-        "at {time:.3} s: joint {joint:?} needs {effort:.2} {unit} to carry and move the robot, more than its limit of {limit} {unit}"
+        "at {time:.3} s: joint {joint:?} needs {} {unit} to carry and move the robot, more than its limit of {limit} {unit}",
+        apart_from(*limit, *effort, 2)
     )]
     Effort {
         /// Time \[s\].
@@ -166,7 +168,8 @@ pub enum MotionFault {
     },
     /// The tool is faster than the task allows.
     #[error(
-        "at {time:.3} s: the tool moves at {speed:.4} m/s, more than {limit} m/s, the limit {of}"
+        "at {time:.3} s: the tool moves at {} m/s, more than {limit} m/s, the limit {of}",
+        apart_from(*limit, *speed, 4)
     )]
     TooFast {
         /// Time at which it is fastest \[s\].

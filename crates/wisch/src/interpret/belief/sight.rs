@@ -33,6 +33,8 @@ const RESAMPLE_BELOW: f64 = 0.5;
 const COUNT_ERROR: [f64; 2] = [0.1, 1.0];
 /// Least effective number of members that explain the number of grains; fewer contradict it.
 const FEWEST_EFFECTIVE: f64 = 8.0;
+/// Standard deviations of the number of detections beyond the range of the members at which it contradicts them [1].
+const FAR: f64 = 2.5;
 /// Bisection steps to the flattened likelihood of as many members.
 const HALVINGS: usize = 30;
 /// Share of the members below and above the range that describes them [1].
@@ -244,10 +246,10 @@ impl ObservationUpdate<'_> {
         (flattened(low), true)
     }
 
-    /// Returns a doubt if the number of grains in the observation contradicts a belief before it, so that hardly a member
-    /// explains it.
+    /// Returns a doubt if the number of grains in the observation contradicts a belief before it: hardly a member explains
+    /// it, or it is far outside the range of all members.
     pub(in crate::interpret) fn find_contradiction(&self, belief: &Belief) -> Option<Doubt> {
-        if belief.is_certain() || self.sight.detection <= 0.0 || !self.reweight(belief).1 {
+        if belief.is_certain() || self.sight.detection <= 0.0 {
             return None;
         }
         let visible = |member: &ParticleDistribution| {
@@ -264,11 +266,25 @@ impl ObservationUpdate<'_> {
             let counts = PerformanceDistribution::from_shares(counts, 0.0);
             [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
         };
-        Some(Doubt::ObservationContradicts {
-            seen: self.observation.detections.len(),
-            left: range(&visible),
+        let seen = self.observation.detections.len();
+        let left = range(&visible);
+        let [least, most] = left;
+        let is_far = (seen as f64) < least - FAR * self.count_error(least)
+            || seen as f64 > most + FAR * self.count_error(most);
+        (is_far || self.reweight(belief).1).then(|| Doubt::ObservationContradicts {
+            seen,
+            left,
             believed: range(&|member| member.len() as f64),
         })
+    }
+
+    /// Standard deviation of the number of detections where `expected` detections are expected [1].
+    fn count_error(&self, expected: f64) -> f64 {
+        let [share, number] = COUNT_ERROR;
+        let misses = (1.0 - self.sight.detection) * expected;
+        (misses + self.false_alarms())
+            .sqrt()
+            .hypot(share * expected + number)
     }
 
     /// Returns a member's dirt after the observation, with the thresholds of the particles it recognises.

@@ -248,7 +248,7 @@ fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
         // Linear spring: more force compresses it further, and without contact it has its full length.
         ToolCompliance::Spring {
             stiffness_n_per_m, ..
-        } => (-normal_force.min(0.0) - config.nominal_force()) / stiffness_n_per_m,
+        } => (-normal_force.min(0.0) - config.level_force()) / stiffness_n_per_m,
     }
 }
 

@@ -145,7 +145,7 @@ fn contacts(
         let is_new = (contacts.last()).is_none_or(|last| (place - last.place).norm() >= TRAVEL);
         let force = piece.force.dot(&normal(place));
         if is_new && is_inland(place, surface, config) && config.normalized(-force) >= PRESSING {
-            let spring_back = (force - config.nominal_force()) / stiffness;
+            let spring_back = (force - config.level_force()) / stiffness;
             contacts.push(PressedPlace {
                 place,
                 height: piece.mean_height + spring_back,

@@ -5,6 +5,7 @@ use crate::follow::Audit;
 use crate::interpret::{
     InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
 };
+use crate::run::pose_agreement::PoseAgreement;
 use crate::run::stance::{check_first_sample, check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
@@ -59,6 +60,7 @@ impl Session<'_> {
             cell: &planned.cell,
             followed: &planned.followed,
         };
+        let mut agreement = PoseAgreement::new(&planned.cell);
         let mut refused: Option<RunError> = None;
         let tolerance = self.config.start_tolerance;
         let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
@@ -75,6 +77,7 @@ impl Session<'_> {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
+            agreement.add(sample);
             measured_until = Some(sample.time);
             if !sample.positions.is_empty() {
                 at.clear();
@@ -93,6 +96,7 @@ impl Session<'_> {
             is_broken_off |= flow.is_break();
             flow
         });
+        self.doubts.extend(agreement.into_doubt());
         let broken_off = keep_execution(&executed, measured_until, at);
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error),
@@ -133,7 +137,9 @@ impl Session<'_> {
         }
         if let Some(state) = executor.state()? {
             check_rest(&state, planned)?;
-            self.set_positions(Some(state.positions));
+            if !state.positions.is_empty() {
+                self.set_positions(Some(state.positions));
+            }
         }
         if let Some(stands) = &self.stands {
             check_start(stands, planned, self.config.start_tolerance)?;

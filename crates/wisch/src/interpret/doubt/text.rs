@@ -1,0 +1,410 @@
+//! The words of doubts.
+
+use super::{Doubt, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
+use crate::interpret::contact::STIFFEST;
+use crate::interpret::wrench_quality::UnusableWrenches;
+use std::fmt;
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NoContactForce { closest, force } => write_no_contact(f, closest, force),
+            Self::NeverNearSurface { closest } => write_never_near(f, closest),
+            Self::NoFreeMotion => f.write_str(
+                "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface",
+            ),
+            Self::Curved {
+                radius,
+                axis,
+                is_convex,
+            } => write_curved(f, radius, axis, is_convex),
+            Self::CurvedAlong {
+                radius,
+                direction,
+                is_convex,
+            } => write_arc(f, radius, direction, is_convex),
+            Self::DoublyCurved { radii, direction } => write_doubly_curved(f, radii, direction),
+            Self::NotPlanar { off } => write!(
+                f,
+                "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
+                1e3 * off
+            ),
+            Self::OffShape { off } => write!(
+                f,
+                "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
+                1e3 * off
+            ),
+            Self::PressForceDiffers {
+                force,
+                declared,
+                matters,
+            } => write_pressed_otherwise(f, force, declared, matters),
+            Self::StiffnessDiffers { found, declared } => write_stiffness(f, found, declared),
+            Self::WrenchSignInverted => f.write_str(
+                "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
+            ),
+            Self::WrenchFrameRotated { direction, in_tool } => write_frame_turned(f, direction, in_tool),
+            Self::ClockOffset { offset } => write_clock_offset(f, offset),
+            Self::Incomplete {
+                begins,
+                ends,
+                missing,
+            } => write_incomplete(f, begins, ends, missing),
+            Self::PoseJumps {
+                left_out,
+                share,
+                lasting,
+                first,
+            } => write_jumps(f, left_out, share, lasting, first),
+            Self::Sparse { period } => write!(
+                f,
+                "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
+            ),
+            Self::BiasChange {
+                change,
+                share,
+                times,
+            } => write_bias_change(f, change, share, times),
+            Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
+            Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
+            Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
+            Self::ObservationContradicts {
+                seen,
+                left,
+                believed,
+            } => write_contradiction(f, seen, left, believed),
+            Self::DetectionsBeside {
+                left_out,
+                of,
+                farthest,
+            } => write_beside(f, left_out, of, farthest),
+            Self::PositionsContradictPose { distance, angle } => {
+                write_elsewhere(f, distance, angle)
+            }
+            Self::HandGuided { share } => write_guided(f, share),
+            Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
+            Self::ContactBesideSurface { share } => write!(
+                f,
+                "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
+                100.0 * share
+            ),
+            Self::Scattered { inliers, confident } => write!(
+                f,
+                "only {inliers} of {confident} confident contacts lie on one plane"
+            ),
+            Self::LittleContact { share } => write!(
+                f,
+                "the tool is in contact for only {:.0} % of its time on or near the surface",
+                100.0 * share
+            ),
+            Self::LittleSliding { travel, radius } => write!(
+                f,
+                "in contact the tool slid {travel:.3} m in all, less than its own radius of {radius:.3} m"
+            ),
+        }
+    }
+}
+
+/// Writes [`Doubt::NoContactForce`].
+fn write_no_contact(f: &mut fmt::Formatter<'_>, closest: f64, force: f64) -> fmt::Result {
+    write!(
+        f,
+        "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
+        1e3 * closest
+    )
+}
+
+/// Writes [`Doubt::NeverNearSurface`].
+fn write_never_near(f: &mut fmt::Formatter<'_>, closest: f64) -> fmt::Result {
+    write!(
+        f,
+        "the tool never came within {:.0} mm of the believed surface (closest: {closest:.3} m): check the pose of the surface, the frame of the log and its unit of length",
+        1e3 * NEAR
+    )
+}
+
+/// Writes [`Doubt::Curved`].
+fn write_curved(
+    f: &mut fmt::Formatter<'_>,
+    radius: f64,
+    axis: f64,
+    is_convex: bool,
+) -> fmt::Result {
+    let shape = bulge(is_convex);
+    write!(
+        f,
+        "the contacts lie on a {shape} cylinder of radius {radius:.2} m, whose axis is at {:.0}° to the surface's x axis, not on a plane",
+        axis.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::CurvedAlong`].
+fn write_arc(
+    f: &mut fmt::Formatter<'_>,
+    radius: f64,
+    direction: f64,
+    is_convex: bool,
+) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on a {} arc of radius {radius:.2} m along the direction at {:.0}° to the surface's x axis, not on a plane; strokes in another direction would show the shape",
+        bulge(is_convex),
+        direction.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::DoublyCurved`].
+fn write_doubly_curved(f: &mut fmt::Formatter<'_>, radii: [f64; 2], direction: f64) -> fmt::Result {
+    let [first, second] = radii.map(|radius| (radius.abs(), bulge(radius > 0.0)));
+    write!(
+        f,
+        "the contacts lie on a surface curved in two directions, not on a plane: {} with a radius of {:.2} m at {:.0}° to the surface's x axis, {} with {:.2} m across it",
+        first.1,
+        first.0,
+        direction.to_degrees(),
+        second.1,
+        second.0
+    )
+}
+
+/// Word for the side to which a surface bulges, seen from the tool.
+const fn bulge(is_convex: bool) -> &'static str {
+    if is_convex { "convex" } else { "concave" }
+}
+
+/// Writes [`Doubt::PressForceDiffers`].
+fn write_pressed_otherwise(
+    f: &mut fmt::Formatter<'_>,
+    force: f64,
+    declared: f64,
+    matters: f64,
+) -> fmt::Result {
+    let consequence = if !PLAUSIBLE_FORCE.contains(&(force / declared)) {
+        ", so that the unit or the scale of the force is probably wrong (--force-unit-n, --force-scale)"
+    } else if matters > MOST_BY_SCALE {
+        ", and the estimate depends on whether the tool pressed with this force or the measured force has a wrong scale"
+    } else {
+        ""
+    };
+    write!(
+        f,
+        "the tool pressed with {force:.1} N, {:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force",
+        force / declared
+    )
+}
+
+/// Writes [`Doubt::StiffnessDiffers`].
+fn write_stiffness(f: &mut fmt::Formatter<'_>, found: f64, declared: f64) -> fmt::Result {
+    let more = if found >= STIFFEST { " or more" } else { "" };
+    write!(
+        f,
+        "the heights of the contacts fit a tool of {found:.0} N/m{more}, not of {declared:.0} N/m as declared (press_force_n over compression_depth_m): contact is read with {found:.0} N/m"
+    )
+}
+
+/// Writes [`Doubt::WrenchFrameRotated`].
+fn write_frame_turned(
+    f: &mut fmt::Formatter<'_>,
+    [x, y, z]: [f64; 3],
+    in_tool: bool,
+) -> fmt::Result {
+    let frame = if in_tool { "tool" } else { "surface" };
+    write!(
+        f,
+        "the force of contact lies along ({x:.2}, {y:.2}, {z:.2}) in the axes of the {frame}, not along the normal: it is read as the normal force (--wrench-frame)"
+    )
+}
+
+/// Writes [`Doubt::ClockOffset`].
+fn write_clock_offset(f: &mut fmt::Formatter<'_>, offset: f64) -> fmt::Result {
+    let late = if offset < 0.0 { "early" } else { "late" };
+    write!(
+        f,
+        "the force is {:.2} s {late} against the position: the two were aligned",
+        offset.abs()
+    )
+}
+
+/// Writes [`Doubt::Incomplete`].
+fn write_incomplete(
+    f: &mut fmt::Formatter<'_>,
+    begins: bool,
+    ends: bool,
+    missing: f64,
+) -> fmt::Result {
+    let parts = [
+        begins.then(|| "begins while the tool presses".to_owned()),
+        ends.then(|| "ends while the tool presses".to_owned()),
+        (missing > 0.0).then(|| format!("has no samples for {missing:.1} s")),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(
+        f,
+        "the log {}: wiping at that time is not counted",
+        parts.join(" and ")
+    )
+}
+
+/// Writes [`Doubt::BiasChange`].
+fn write_bias_change(
+    f: &mut fmt::Formatter<'_>,
+    change: f64,
+    share: f64,
+    [before, after]: [f64; 2],
+) -> fmt::Result {
+    write!(
+        f,
+        "the bias of the force differs by {change:.1} N between the free motion at {before:.1} s and that at {after:.1} s, {:.0} % of the press force: tare the sensor before the log and not during it, or correct the force before",
+        100.0 * share
+    )
+}
+
+/// Writes [`Doubt::TooSteep`].
+fn write_steep(f: &mut fmt::Formatter<'_>, tilt: f64, searched: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on a plane that is tilted by {:.1}° against the believed surface, beyond the {:.0}° that are searched: check the orientation of the surface",
+        tilt.to_degrees(),
+        searched.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::PoseJumps`].
+fn write_jumps(
+    f: &mut fmt::Formatter<'_>,
+    left_out: usize,
+    share: f64,
+    lasting: usize,
+    (time, distance): (f64, f64),
+) -> fmt::Result {
+    let plural = |count: usize, what: &str| {
+        let end = if count == 1 { "" } else { "s" };
+        format!("{count} {what}{end}")
+    };
+    let parts = [
+        (left_out > 0).then(|| {
+            format!(
+                "{} ({:.1} %) left out",
+                plural(left_out, "sample"),
+                100.0 * share
+            )
+        }),
+        (lasting > 0).then(|| {
+            format!(
+                "{} that are wider than single samples",
+                plural(lasting, "jump")
+            )
+        }),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(
+        f,
+        "the pose jumps faster than a tool moves, first by {distance:.2} m at {time:.2} s: {}",
+        parts.join(", ")
+    )
+}
+
+/// Writes [`Doubt::ToolLeans`].
+fn write_lean(f: &mut fmt::Formatter<'_>, lean: f64, beyond: f64) -> fmt::Result {
+    let degrees = lean.to_degrees();
+    let consequence = if beyond > MOST_LEAN {
+        "so the area that the tool touched is unknown"
+    } else {
+        "and the estimate counts a leaning tool"
+    };
+    write!(
+        f,
+        "in contact the z axis of the logged frame is {degrees:.0}° off the surface's normal, {consequence}: if this frame is not that of the tool, state the tool's pose in it (--pose-offset)"
+    )
+}
+
+/// Writes [`Doubt::UnusableWrench`].
+fn write_unusable(
+    f: &mut fmt::Formatter<'_>,
+    unusable: UnusableWrenches,
+    share: f64,
+) -> fmt::Result {
+    let kinds = [
+        (unusable.stale, "stale"),
+        (unusable.saturated, "saturated"),
+        (unusable.untared, "untared"),
+    ];
+    let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
+    let kinds: Vec<String> = kinds
+        .map(|(count, kind)| format!("{count} {kind}"))
+        .collect();
+    write!(
+        f,
+        "the wrench of {} samples, {:.1} % of all, is not used as touch ({}): wiping at that time is not counted",
+        unusable.count(),
+        100.0 * share,
+        kinds.join(", ")
+    )
+}
+
+/// Writes [`Doubt::ObservationContradicts`].
+fn write_contradiction(
+    f: &mut fmt::Formatter<'_>,
+    seen: usize,
+    [least, most]: [f64; 2],
+    [fewest, all]: [f64; 2],
+) -> fmt::Result {
+    let advice = if (seen as f64) < least {
+        "the observation may be incomplete, or the tool wiped more than the log shows"
+    } else if seen as f64 > all {
+        "more than there were believed to be before: check the number of particles of the task"
+    } else {
+        "the log may lack contact, or the tool has another effect than expected"
+    };
+    write!(
+        f,
+        "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
+    )
+}
+
+/// Writes [`Doubt::PositionsContradictPose`].
+fn write_elsewhere(f: &mut fmt::Formatter<'_>, distance: f64, angle: f64) -> fmt::Result {
+    write!(
+        f,
+        "for most of the motion the tool is {distance:.3} m and {:.1}° from where the joint positions put it: check the tool centre point, the mount, the base frame, and the positions of the joints",
+        angle.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::HandGuided`].
+fn write_guided(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "a person guides the tool by hand for {:.0} % of the log",
+        100.0 * share
+    )
+}
+
+/// Writes [`Doubt::DetectionsBeside`].
+fn write_beside(
+    f: &mut fmt::Formatter<'_>,
+    left_out: usize,
+    of: usize,
+    farthest: f64,
+) -> fmt::Result {
+    let verb = if left_out == 1 { "is" } else { "are" };
+    let advice = if 2 * left_out > of {
+        ": their unit or frame is probably wrong; expected metres in the frame of the believed surface, unless the dirt was wiped off it"
+    } else {
+        ""
+    };
+    write!(
+        f,
+        "{left_out} of {of} detections of the camera {verb} beside the surface, up to {farthest:.3} m from its edge, and {verb} left out{advice}"
+    )
+}
+
+/// Writes [`Doubt::ContactFarFromSurface`].
+fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt::Result {
+    let side = if height < 0.0 { "below" } else { "above" };
+    let height = height.abs();
+    write!(
+        f,
+        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface"
+    )
+}

@@ -1,0 +1,117 @@
+//! Detections of a camera that lie beside the surface.
+
+use super::RunError;
+use crate::geometry::{Bounds2, Point2};
+use crate::interpret::Doubt;
+use crate::represent::{Observation, Surface};
+
+/// Largest distance beside the outline at which a detection counts as dirt at the edge [m]: the error of the surface's
+/// pose. A larger error of the camera extends it.
+const AT_EDGE: f64 = 0.03;
+/// The same in a first observation without a detection on the surface [m].
+const ALL_AT_EDGE: f64 = 0.01;
+/// Largest usual error of a detection, in standard deviations [1].
+const DEVIATIONS: f64 = 5.0;
+
+/// Returns an observation without the detections beside the surface, and a remark on them if there are any. `error`:
+/// standard deviation of a detection's position [m]. `is_first`: whether the observation precedes the first round, so that
+/// most of the dirt is on the surface.
+///
+/// # Errors
+/// If most detections of a first observation are beside the surface, or most of a later one are farther from it than it
+/// is wide: their unit or frame is wrong.
+pub(super) fn keep_on_surface(
+    mut observation: Observation,
+    surface: &Surface,
+    error: f64,
+    is_first: bool,
+) -> Result<(Observation, Option<Doubt>), RunError> {
+    let outline = &surface.outline;
+    let distance = |place: &Point2| {
+        if outline.contains(*place) {
+            return 0.0;
+        }
+        let edges = outline.edges().map(|edge| edge.distance(*place));
+        edges.fold(f64::INFINITY, f64::min)
+    };
+    let distances: Vec<f64> = observation.detections.iter().map(distance).collect();
+    let beyond = |limit: f64| distances.iter().filter(|off| **off > limit).count();
+    let of = distances.len();
+    let at_edge = if is_first && beyond(0.0) == of {
+        ALL_AT_EDGE
+    } else {
+        AT_EDGE
+    };
+    let most = at_edge.max(DEVIATIONS * error);
+    let left_out = beyond(most);
+    if left_out == 0 {
+        return Ok((observation, None));
+    }
+    let farthest = distances.iter().copied().fold(0.0, f64::max);
+    let bounds = Bounds2::from_points(outline.outer().iter().copied());
+    let width = bounds.map_or(0.0, |bounds| bounds.size().norm());
+    let far = if is_first { most } else { width.max(most) };
+    if 2 * beyond(far) > of {
+        return Err(RunError::DetectionsElsewhere {
+            surface: surface.name.clone(),
+            count: beyond(far),
+            of,
+            farthest,
+        });
+    }
+    let mut places = distances.iter();
+    let mut is_kept = || places.next().is_none_or(|off| *off <= most);
+    observation.detections.retain(|_| is_kept());
+    let doubt = Doubt::DetectionsBeside {
+        left_out,
+        of,
+        farthest,
+    };
+    Ok((observation, Some(doubt)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Polygon, Pose, Vector2};
+
+    /// Detections on a surface of 0.32 m by 0.24 m, of which this is kept.
+    fn kept(places: &[[f64; 2]], is_first: bool) -> Result<(usize, Option<Doubt>), RunError> {
+        let outline = Polygon::rectangle(Vector2::new(0.32, 0.24));
+        let surface = Surface::new("board", outline, Pose::identity());
+        let seen = Observation {
+            detections: places.iter().copied().map(Point2::from).collect(),
+            ..Observation::default()
+        };
+        let kept = keep_on_surface(seen, &surface, 2e-3, is_first);
+        kept.map(|(seen, doubt)| (seen.detections.len(), doubt))
+    }
+
+    #[test]
+    fn detections_beside_the_surface_are_left_out() {
+        assert_eq!(kept(&[[0.0, 0.0], [0.17, 0.0]], true), Ok((2, None)));
+        let (count, doubt) = kept(&[[0.0, 0.0], [0.05, 0.05], [0.26, 0.0]], true).unwrap();
+        assert_eq!(count, 2);
+        let expected = "1 of 3 detections of the camera is beside the surface, up to 0.100 m from its edge, and is left out";
+        assert_eq!(doubt.unwrap().to_string(), expected);
+        // Dirt that was wiped off the surface may lie beside it.
+        let (count, doubt) = kept(&[[0.20, 0.0]], false).unwrap();
+        assert_eq!(count, 0);
+        let doubt = doubt.unwrap().to_string();
+        assert!(doubt.ends_with("expected metres in the frame of the believed surface, unless the dirt was wiped off it"), "{doubt}");
+        assert_eq!(kept(&[], true), Ok((0, None)));
+    }
+
+    #[test]
+    fn detections_in_another_unit_or_frame_are_an_error() {
+        for (places, is_first) in [
+            (&[[-100.0, 50.0], [20.0, 30.0], [60.0, -80.0]][..], true),
+            (&[[-100.0, 50.0], [20.0, 30.0], [60.0, -80.0]][..], false),
+            (&[[0.20, 0.0]][..], true),
+        ] {
+            let error = kept(places, is_first).unwrap_err().to_string();
+            assert!(error.contains("are beside surface \"board\""), "{error}");
+            assert!(error.contains("unit or frame"), "{error}");
+        }
+    }
+}
