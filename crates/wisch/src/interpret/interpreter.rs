@@ -316,11 +316,14 @@ impl Interpreter {
         };
         let mut doubts = evidence.doubts();
         doubts.extend(self.find_jumps());
-        if let count @ 1.. = self.unusable.count() {
-            doubts.push(Doubt::UnusableWrench {
-                unusable: self.unusable,
-                share: count as f64 / (count + self.downsampler.sample_count()) as f64,
-            });
+        if let Some(doubt) = self.find_unusable() {
+            // Wrenches that are not used explain missing contact.
+            let place = if classified.plane.is_none() {
+                0
+            } else {
+                doubts.len()
+            };
+            doubts.insert(place, doubt);
         }
         let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
             evidence.is_low()
@@ -353,6 +356,15 @@ impl Interpreter {
             found_stiffness,
             is_low,
         }
+    }
+
+    fn find_unusable(&self) -> Option<Doubt> {
+        let count = self.unusable.count();
+        let all = count + self.downsampler.sample_count();
+        (count > 0).then(|| Doubt::UnusableWrench {
+            unusable: self.unusable,
+            share: count as f64 / all as f64,
+        })
     }
 
     fn find_jumps(&self) -> Option<Doubt> {
