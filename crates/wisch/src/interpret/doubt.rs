@@ -1,6 +1,6 @@
 //! Whether a log shows wiping of this surface, and if not, why.
 
-use super::contact::STIFFEST;
+use super::contact::{ContactLevel, MOST_LEVELS, STIFFEST};
 use super::wrench_quality::UnusableWrenches;
 use std::fmt;
 
@@ -68,6 +68,13 @@ pub enum Doubt {
     NotPlanar {
         /// Distance from the best plane that a tenth of the contacts exceeds \[m\].
         off: f64,
+    },
+    /// The contacts lie on parallel planes at different heights rather than on one plane.
+    SeveralHeights {
+        /// The planes, the lowest first; unused entries are without contacts.
+        levels: [ContactLevel; MOST_LEVELS],
+        /// Number of contacts.
+        contacts: usize,
     },
     /// The contacts do not lie on the curved surface that was believed.
     OffShape {
@@ -228,6 +235,7 @@ impl Doubt {
             | Self::CurvedAlong { .. }
             | Self::DoublyCurved { .. }
             | Self::NotPlanar { .. }
+            | Self::SeveralHeights { .. }
             | Self::OffShape { .. }
             | Self::HandGuided { .. }
             | Self::ContactFarFromSurface { .. }
@@ -255,6 +263,7 @@ impl Doubt {
                 | Self::Curved { .. }
                 | Self::CurvedAlong { .. }
                 | Self::DoublyCurved { .. }
+                | Self::SeveralHeights { .. }
                 | Self::OffShape { .. }
         )
     }
@@ -298,6 +307,7 @@ impl fmt::Display for Doubt {
                 "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
                 1e3 * off
             ),
+            Self::SeveralHeights { levels, contacts } => write_heights(f, &levels, contacts),
             Self::OffShape { off } => write!(
                 f,
                 "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
@@ -420,6 +430,23 @@ fn write_doubly_curved(f: &mut fmt::Formatter<'_>, radii: [f64; 2], direction: f
         direction.to_degrees(),
         second.1,
         second.0
+    )
+}
+
+/// Writes [`Doubt::SeveralHeights`].
+fn write_heights(
+    f: &mut fmt::Formatter<'_>,
+    levels: &[ContactLevel],
+    contacts: usize,
+) -> fmt::Result {
+    let used: Vec<String> = (levels.iter().filter(|level| level.contacts > 0))
+        .map(|level| format!("{} at {:+.1} mm", level.contacts, 1e3 * level.height))
+        .collect();
+    let count = if used.len() == 2 { "two" } else { "three" };
+    write!(
+        f,
+        "the contacts lie at {count} heights over the believed surface, not on one plane: of {contacts} contacts, {}: interpret each part of the surface as a task of its own, and check whether surface or robot moved during the log",
+        used.join(", ")
     )
 }
 

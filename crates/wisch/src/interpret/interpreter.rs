@@ -3,14 +3,15 @@
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredStiffness,
-    PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample, find_stiffness, middle,
+    ClassifiedPath, ContactClassifier, ContactLevels, Downsampler, FittedPlane, ForceReading,
+    MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample,
+    find_stiffness, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
+use super::log_evidence::{LEAST_ON_PLANE, LogEvidence, MOST_SPREAD, STEADY};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{
@@ -271,7 +272,9 @@ impl Interpreter {
         let pieces = &pieces;
         let found_stiffness = find_stiffness(pieces, &self.surface, &config);
         let config = config.with_stiffness(found_stiffness.map(|found| found.n_per_m));
+        let levels = ContactLevels::of(pieces, &self.surface, middle(&self.surface), &config);
         let classifier = ContactClassifier {
+            levels,
             surface: &self.surface,
             reach: self.reach(),
             config: &config,
@@ -302,6 +305,7 @@ impl Interpreter {
             None
         };
         let evidence = LogEvidence {
+            levels,
             steep,
             found_stiffness,
             own_tilt: self.own_tilt,
@@ -330,10 +334,7 @@ impl Interpreter {
         } else {
             Vec::new()
         };
-        if doubts.iter().any(Doubt::is_other_surface) {
-            // A force off the plane is that of another surface and not that of a hand.
-            events.retain(|event| !event.kind.is_by_hand());
-        }
+        leave_out_contacts(&mut events, &doubts, &config);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
@@ -521,6 +522,20 @@ impl LogAnalysis {
             &self.config,
         )
         .or_low(&self.is_low)
+    }
+}
+
+/// Leaves out by-hand events that are contacts with another surface than the believed one: their force is that of the surface
+/// and not that of a hand.
+fn leave_out_contacts(events: &mut Vec<Event>, doubts: &[Doubt], config: &InterpretConfig) {
+    if doubts.iter().any(Doubt::is_other_surface) {
+        events.retain(|event| !event.kind.is_by_hand());
+    } else if (doubts.iter()).any(|doubt| matches!(doubt, Doubt::NotPlanar { .. })) {
+        let is_wiping = |event: &Event| {
+            let share = -event.mean_normal_force / config.nominal_force();
+            STEADY.contains(&share) && event.peak_height <= MOST_SPREAD
+        };
+        events.retain(|event| !event.kind.is_by_hand() || !is_wiping(event));
     }
 }
 
