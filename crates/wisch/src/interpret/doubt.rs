@@ -188,6 +188,13 @@ pub enum Doubt {
         /// Largest distance from the believed surface at which contact is searched \[m\].
         searched: f64,
     },
+    /// In the air, the force is vertical and as large as the weight of a tool.
+    LoadInAir {
+        /// Size of the force \[N\].
+        force: f64,
+        /// Mass with this weight \[kg\].
+        mass: f64,
+    },
     /// The tool was in contact mostly beside the surface.
     ContactBesideSurface {
         /// Share of the contact time beside the outline \[1\].
@@ -247,6 +254,7 @@ impl Doubt {
             | Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }
+            | Self::LoadInAir { .. }
             | Self::Incomplete { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,
@@ -358,6 +366,7 @@ impl fmt::Display for Doubt {
                 100.0 * share
             ),
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
+            Self::LoadInAir { force, mass } => write_load(f, force, mass),
             Self::ContactBesideSurface { share } => write!(
                 f,
                 "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
@@ -649,6 +658,14 @@ fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt:
     let height = height.abs();
     write!(
         f,
-        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface"
+        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface, and state the tool's pose in the logged frame if that is not the frame of the tool (--pose-offset)"
+    )
+}
+
+/// Writes [`Doubt::LoadInAir`].
+fn write_load(f: &mut fmt::Formatter<'_>, force: f64, mass: f64) -> fmt::Result {
+    write!(
+        f,
+        "in the air the force is {force:.1} N along the vertical, as the weight of {mass:.2} kg: if the sensor carries the tool, state its mass (--payload-mass)"
     )
 }

@@ -55,6 +55,13 @@ const LEAST_BIAS_CHANGE: f64 = 0.2;
 /// Least lean of a tool that is stated [rad]; 30°.
 const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
 
+/// Least force in the air over the press force that is stated as a weight [1], and least cosine of its angle to the vertical
+/// [1].
+const LEAST_LOAD: f64 = 0.2;
+const VERTICAL: f64 = 0.95;
+/// Standard gravity [m/s²].
+const GRAVITY: f64 = 9.80665;
+
 /// Contents of a log from which its doubts are derived.
 pub(super) struct LogEvidence<'a> {
     /// Pieces of the log, with their forces as read.
@@ -106,7 +113,10 @@ impl LogEvidence<'_> {
         }
         let Some((_, plane)) = &self.classified.plane else {
             // A tool that presses at one height for long is on a surface and not guided by hand.
-            let far_off = find_distant_contact(path, self.config);
+            let searched = self.config.search_height_m;
+            let distant = self.reading.distant_height;
+            let far_off = distant.map(|height| Doubt::ContactFarFromSurface { height, searched });
+            let far_off = far_off.or_else(|| find_distant_contact(path, self.config));
             let shape = || {
                 let scatter = self.find_scatter()?;
                 let curved = self.find_curvature().filter(Doubt::is_other_surface);
@@ -114,6 +124,7 @@ impl LogEvidence<'_> {
             };
             let reason = far_off.or(heights).or(led).or_else(shape);
             doubts.extend(reason.or_else(|| self.explain_missing_contact()));
+            doubts.extend(distant.and_then(|_| self.find_load()));
             return doubts;
         };
         let has_heights = heights.is_some();
@@ -154,6 +165,19 @@ impl LogEvidence<'_> {
                 .map(|(_, doubt)| doubt),
         );
         doubts
+    }
+
+    /// Returns a doubt if the force in the air is like the weight of a tool that the sensor carries.
+    fn find_load(&self) -> Option<Doubt> {
+        let measured = self.reading.force_in_air(self.pieces);
+        let force = measured.norm();
+        let world_from_surface = self.surface.world_from_surface.rotation;
+        let is_vertical = (world_from_surface * measured).z.abs() >= VERTICAL * force;
+        let is_large = force >= LEAST_LOAD * self.declared.nominal_force();
+        (is_large && is_vertical).then_some(Doubt::LoadInAir {
+            force,
+            mass: force / GRAVITY,
+        })
     }
 
     /// Marks the pieces at which the tool was low enough to touch, for the case that its force is misread.

@@ -1,6 +1,6 @@
-//! Logs in which the tool presses on two boards of different heights.
+//! Logs in which the tool presses on two boards of different heights, or for a part of its strokes only.
 
-use super::log::{Hand, PRESS, STEEP, Script, task};
+use super::log::{DEPTH, Hand, PRESS, STEEP, Script, task};
 use super::{events, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
@@ -140,4 +140,51 @@ fn one_board_has_one_height() {
         "{:?}",
         pressed.doubts
     );
+}
+
+/// The tool presses with a force where x is negative, and hovers over the rest without force. It compresses by `depth` under the
+/// nominal force.
+fn read_hovering(force: f64, clearance: f64, depth: f64) -> Interpretation {
+    let press: fn(Point2) -> f64 = match force {
+        6.0 => |place| if place.x < 0.0 { 6.0 } else { 0.0 },
+        8.0 => |place| if place.x < 0.0 { 8.0 } else { 0.0 },
+        _ => |place| if place.x < 0.0 { PRESS } else { 0.0 },
+    };
+    let script = Script {
+        press,
+        ..four_strokes()
+    };
+    // The script's tool compresses by `DEPTH`.
+    let shorter = DEPTH - depth;
+    let samples = raised(&script, |place| {
+        if place.x < 0.0 {
+            -shorter * (1.0 - force / PRESS)
+        } else {
+            clearance - shorter
+        }
+    });
+    let mut task = task(80, STEEP);
+    task.interaction.compression_depth_m = depth;
+    interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
+}
+
+#[test]
+fn contact_of_a_tool_that_hovers_for_half_of_each_stroke_is_found() {
+    for depth in [DEPTH, 0.0005] {
+        for force in [6.0, 8.0, PRESS] {
+            for clearance in [0.001, 0.003, 0.006] {
+                let what = format!("{force} N, {clearance} m, depth {depth} m");
+                let found = read_hovering(force, clearance, depth);
+                let doubts = &found.doubts;
+                let share = found.contact_share.unwrap_or(0.0);
+                assert!((0.35..0.6).contains(&share), "{what}: {share}, {doubts:?}");
+                let pressed = found.pressed_force.unwrap_or(0.0);
+                assert!((pressed - force).abs() < 0.3, "{what}: {pressed}");
+                assert_eq!(events(&found, EventKind::Contact).len(), 4, "{what}");
+                assert_eq!(by_hand(&found), 0, "{what}");
+                let is_missing = |doubt: &Doubt| matches!(doubt, Doubt::NoContactForce { .. });
+                assert!(!doubts.iter().any(is_missing), "{what}: {doubts:?}");
+            }
+        }
+    }
 }
