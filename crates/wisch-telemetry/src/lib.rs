@@ -29,6 +29,7 @@ mod options;
 mod plausibility;
 mod quantity;
 mod ros2;
+mod saturated;
 mod table;
 mod tool_frame;
 mod track;

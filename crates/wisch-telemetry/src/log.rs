@@ -8,6 +8,7 @@ use super::frozen::find_frozen;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::plausibility::doubts;
 use super::quantity::QuantityError;
+use super::saturated::{Saturation, find_saturated};
 use super::table;
 use super::track::{RawLog, pair, seconds};
 use nalgebra::UnitQuaternion;
@@ -318,24 +319,8 @@ fn is_bag_file(path: &Path) -> std::io::Result<bool> {
 /// Combines poses and forces in the task's world.
 fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
-    let mut unusable = UnusableWrenches::default();
     let first = pairs[0].0;
-    // A driver that states qualities knows better.
-    let frozen = if raw.qualities.is_empty() {
-        find_frozen(&raw.wrenches.entries)
-    } else {
-        Vec::new()
-    };
-    pairs.retain(|(time, ..)| {
-        let next = frozen.partition_point(|[_, to]| to < time);
-        let is_frozen = frozen.get(next).is_some_and(|[from, _]| from <= time);
-        let quality = match raw.quality_at(*time) {
-            WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
-            stated => stated,
-        };
-        unusable.add(quality);
-        quality.is_usable()
-    });
+    let (unusable, saturated) = leave_out_unusable(&raw, &mut pairs);
     if pairs.is_empty() {
         let count = unusable.count();
         return Err(ReadFault::UnusableWrenches { count });
@@ -385,6 +370,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         .remarks
         .iter()
         .cloned()
+        .chain(saturated.iter().map(|found| found.describe(force_unit)))
         .chain(correction.remarks)
         .chain(doubts(&samples, options))
         .collect();
@@ -412,6 +398,35 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         skipped: skipped.into_iter().flatten().collect(),
         is_unfinished: raw.unfinished,
     })
+}
+
+/// Leaves out the samples whose wrench is not usable. Returns their numbers, and where the sensor is saturated.
+fn leave_out_unusable(
+    raw: &RawLog,
+    pairs: &mut Vec<(i64, Pose, Vector3)>,
+) -> (UnusableWrenches, Vec<Saturation>) {
+    let mut unusable = UnusableWrenches::default();
+    // A driver that states qualities knows better.
+    let (frozen, saturated) = if raw.qualities.is_empty() {
+        let entries = &raw.wrenches.entries;
+        (find_frozen(entries), find_saturated(entries))
+    } else {
+        (Vec::new(), Vec::new())
+    };
+    pairs.retain(|(time, ..)| {
+        let next = frozen.partition_point(|[_, to]| to < time);
+        let is_frozen = frozen.get(next).is_some_and(|[from, _]| from <= time);
+        let quality = match raw.quality_at(*time) {
+            WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
+            WrenchQuality::Ok if saturated.iter().any(|found| found.covers(*time)) => {
+                WrenchQuality::Saturated
+            }
+            stated => stated,
+        };
+        unusable.add(quality);
+        quality.is_usable()
+    });
+    (unusable, saturated)
 }
 
 /// Names the source of the transforms, for remarks.

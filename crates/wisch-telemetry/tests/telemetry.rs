@@ -6,6 +6,7 @@ mod forces;
 mod foreign;
 mod foreign_bag;
 mod order;
+mod saturation;
 #[path = "../examples/demo_bag/shown.rs"]
 mod shown;
 mod status;

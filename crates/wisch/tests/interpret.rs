@@ -10,6 +10,8 @@ mod events_found;
 mod implausible;
 #[path = "interpret/log.rs"]
 pub mod log;
+#[path = "interpret/parts.rs"]
+mod parts;
 #[path = "interpret/random.rs"]
 mod random;
 #[path = "interpret/reading.rs"]

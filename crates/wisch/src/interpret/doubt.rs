@@ -2,6 +2,7 @@
 
 mod text;
 
+use super::contact::{ContactLevel, MOST_LEVELS};
 use super::wrench_quality::UnusableWrenches;
 
 /// Height over the believed surface within which a tool without measured force may have touched [m].
@@ -25,7 +26,7 @@ const MOST_CONTRADICTION: [f64; 2] = [0.03, 0.2];
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Options of `wisch interpret` in the text of doubts, and what an executor states instead.
-const REMEDIES: [(&str, &str); 4] = [
+const REMEDIES: [(&str, &str); 5] = [
     (
         "--wrench-sign",
         "force_n of the executor is the force of the surroundings on the tool",
@@ -41,6 +42,10 @@ const REMEDIES: [(&str, &str); 4] = [
     (
         "--pose-offset",
         "world_from_tool of the executor is the pose of the tool",
+    ),
+    (
+        "--payload-mass",
+        "force_n of the executor is without the tool's weight",
     ),
 ];
 
@@ -91,6 +96,13 @@ pub enum Doubt {
     NotPlanar {
         /// Distance from the best plane that a tenth of the contacts exceeds \[m\].
         off: f64,
+    },
+    /// The contacts lie on parallel planes at different heights rather than on one plane.
+    SeveralHeights {
+        /// The planes, the lowest first; unused entries are without contacts.
+        levels: [ContactLevel; MOST_LEVELS],
+        /// Number of contacts.
+        contacts: usize,
     },
     /// The contacts do not lie on the curved surface that was believed.
     OffShape {
@@ -220,6 +232,13 @@ pub enum Doubt {
         /// Largest distance from the believed surface at which contact is searched \[m\].
         searched: f64,
     },
+    /// In the air, the force is vertical and as large as the weight of a tool.
+    LoadInAir {
+        /// Size of the force \[N\].
+        force: f64,
+        /// Mass with this weight \[kg\].
+        mass: f64,
+    },
     /// The tool was in contact mostly beside the surface.
     ContactBesideSurface {
         /// Share of the contact time beside the outline \[1\].
@@ -270,6 +289,7 @@ impl Doubt {
             | Self::CurvedAlong { .. }
             | Self::DoublyCurved { .. }
             | Self::NotPlanar { .. }
+            | Self::SeveralHeights { .. }
             | Self::OffShape { .. }
             | Self::HandGuided { .. }
             | Self::ContactFarFromSurface { .. }
@@ -281,6 +301,7 @@ impl Doubt {
             | Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }
+            | Self::LoadInAir { .. }
             | Self::Incomplete { .. }
             | Self::DetectionsBeside { .. }
             | Self::LittleContact { .. }
@@ -306,6 +327,7 @@ impl Doubt {
                 | Self::Curved { .. }
                 | Self::CurvedAlong { .. }
                 | Self::DoublyCurved { .. }
+                | Self::SeveralHeights { .. }
                 | Self::OffShape { .. }
         )
     }

@@ -3,15 +3,15 @@
 use super::belief::{Belief, ContactEvidence, Exposure, Replay};
 use super::config::{InterpretConfig, OtherForce};
 use super::contact::{
-    ClassifiedPath, ContactClassifier, Downsampler, FittedPlane, ForceReading, MeasuredPiece,
-    MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness, TouchSample,
-    find_stiffness, middle,
+    ClassifiedPath, ContactClassifier, ContactLevels, Downsampler, FittedPlane, ForceReading,
+    MeasuredPiece, MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness,
+    TouchSample, find_stiffness, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
+use super::log_evidence::{LEAST_ON_PLANE, LogEvidence, MOST_SPREAD, STEADY};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{
@@ -284,11 +284,15 @@ impl Interpreter {
         }
         let found_stiffness = find_stiffness(&pieces, &self.surface, &config);
         let config = config.with_stiffness(found_stiffness.map(|found| found.n_per_m));
-        let classified = self.classifier(&config, reference).classify(&pieces);
+        let levels = ContactLevels::of(&pieces, &self.surface, middle(&self.surface), &config);
+        let classified = self
+            .classifier(&config, reference, levels)
+            .classify(&pieces);
         LeveledLog {
             pieces,
             config,
             found_stiffness,
+            levels,
             classified,
         }
     }
@@ -297,8 +301,10 @@ impl Interpreter {
         &'a self,
         config: &'a InterpretConfig,
         reference: f64,
+        levels: Option<ContactLevels>,
     ) -> ContactClassifier<'a> {
         ContactClassifier {
+            levels,
             surface: &self.surface,
             reach: self.reach(),
             config,
@@ -315,10 +321,11 @@ impl Interpreter {
             pieces,
             config,
             found_stiffness,
+            levels,
             classified,
         } = self.level(&reading, reference);
         let pieces = &pieces;
-        let classifier = self.classifier(&config, reference);
+        let classifier = self.classifier(&config, reference, levels);
         let believed_from_real = classified
             .plane
             .as_ref()
@@ -343,6 +350,7 @@ impl Interpreter {
             None
         };
         let evidence = LogEvidence {
+            levels,
             steep,
             found_stiffness,
             own_tilt: self.own_tilt,
@@ -357,21 +365,21 @@ impl Interpreter {
         };
         let mut doubts = evidence.doubts();
         doubts.extend(self.find_jumps());
-        if let count @ 1.. = self.unusable.count() {
-            doubts.push(Doubt::UnusableWrench {
-                unusable: self.unusable,
-                share: count as f64 / (count + self.downsampler.sample_count()) as f64,
-            });
+        if let Some(doubt) = self.find_unusable() {
+            // Wrenches that are not used explain missing contact.
+            let place = if classified.plane.is_none() {
+                0
+            } else {
+                doubts.len()
+            };
+            doubts.insert(place, doubt);
         }
         let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
             evidence.is_low()
         } else {
             Vec::new()
         };
-        if doubts.iter().any(Doubt::is_other_surface) {
-            // A force off the plane is that of another surface and not that of a hand.
-            events.retain(|event| !event.kind.is_by_hand());
-        }
+        leave_out_contacts(&mut events, &doubts, &config);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
@@ -394,6 +402,15 @@ impl Interpreter {
             found_stiffness,
             is_low,
         }
+    }
+
+    fn find_unusable(&self) -> Option<Doubt> {
+        let count = self.unusable.count();
+        let all = count + self.downsampler.sample_count();
+        (count > 0).then(|| Doubt::UnusableWrench {
+            unusable: self.unusable,
+            share: count as f64 / all as f64,
+        })
     }
 
     fn find_jumps(&self) -> Option<Doubt> {
@@ -558,6 +575,7 @@ struct LeveledLog {
     pieces: Vec<MeasuredPiece>,
     config: InterpretConfig,
     found_stiffness: Option<ToolStiffness>,
+    levels: Option<ContactLevels>,
     classified: ClassifiedPath,
 }
 
@@ -570,6 +588,20 @@ impl LeveledLog {
         let corners = surface.outline.outer().iter();
         let distances = corners.map(|corner| fit.height_at(corner.coords).abs());
         distances.fold(0.0, f64::max)
+    }
+}
+
+/// Leaves out by-hand events that are contacts with another surface than the believed one: their force is that of the surface
+/// and not that of a hand.
+fn leave_out_contacts(events: &mut Vec<Event>, doubts: &[Doubt], config: &InterpretConfig) {
+    if doubts.iter().any(Doubt::is_other_surface) {
+        events.retain(|event| !event.kind.is_by_hand());
+    } else if (doubts.iter()).any(|doubt| matches!(doubt, Doubt::NotPlanar { .. })) {
+        let is_wiping = |event: &Event| {
+            let share = -event.mean_normal_force / config.nominal_force();
+            STEADY.contains(&share) && event.peak_height <= MOST_SPREAD
+        };
+        events.retain(|event| !event.kind.is_by_hand() || !is_wiping(event));
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::config::InterpretConfig;
 use super::contact::{
-    ClassifiedPath, ContactShape, ForceReading, MeasuredPiece, PathPiece, PressDirection, ShapeFit,
-    ToolStiffness, is_inland,
+    ClassifiedPath, ContactLevels, ContactShape, ForceReading, MeasuredPiece, PathPiece,
+    PressDirection, ShapeFit, ToolStiffness, is_inland,
 };
 use super::doubt::{Doubt, NEAR};
 use super::events::{Event, EventKind};
@@ -13,7 +13,7 @@ use crate::represent::Surface;
 /// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
 /// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
-const MOST_SPREAD: f64 = 0.03;
+pub(super) const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
 const LONGEST_STEP: f64 = 0.1;
 /// Least share of the confident contacts that a plane must hold [1].
@@ -26,7 +26,7 @@ const MOST_BESIDE: f64 = 0.5;
 /// of the mean force over the nominal one [1].
 const STEADY_TRAVEL: f64 = 0.02;
 const LEAST_PRESSED: f64 = 0.5;
-const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
+pub(super) const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 /// Steepest rise of a surface against the plane [1].
 const STEEPEST: f64 = 0.25;
 /// Least share of its pieces that are off the plane where a tool slides off it [1].
@@ -55,6 +55,13 @@ const LEAST_BIAS_CHANGE: f64 = 0.2;
 /// Least lean of a tool that is stated [rad]; 30°.
 const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
 
+/// Least force in the air over the press force that is stated as a weight [1], and least cosine of its angle to the vertical
+/// [1].
+const LEAST_LOAD: f64 = 0.2;
+const VERTICAL: f64 = 0.95;
+/// Standard gravity [m/s²].
+const GRAVITY: f64 = 9.80665;
+
 /// Contents of a log from which its doubts are derived.
 pub(super) struct LogEvidence<'a> {
     /// Pieces of the log, with their forces as read.
@@ -63,6 +70,8 @@ pub(super) struct LogEvidence<'a> {
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
     pub(super) contact_share: Option<f64>,
+    /// Planes at different heights on which the contacts lie.
+    pub(super) levels: Option<ContactLevels>,
     /// Tilt of a plane that holds the contacts and is steeper than those that are searched [rad].
     pub(super) steep: Option<f64>,
     /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
@@ -81,7 +90,12 @@ impl LogEvidence<'_> {
     /// cause first.
     pub(super) fn doubts(&self) -> Vec<Doubt> {
         let path = &self.classified.path;
-        let led = find_hand_guiding(path, self.events);
+        let heights = self.levels.map(|found| Doubt::SeveralHeights {
+            levels: found.levels,
+            contacts: found.contacts,
+        });
+        // A tool that slides at one of few heights is on a surface and not guided by hand.
+        let led = find_hand_guiding(path, self.events).filter(|_| heights.is_none());
         let mut doubts: Vec<Doubt> = Vec::new();
         if self.declared.gap_m > 0.0 {
             doubts.extend(led);
@@ -92,25 +106,30 @@ impl LogEvidence<'_> {
         if led.is_none() {
             doubts.extend(self.find_bias_change());
         }
-        if let Some(tilt) = self.steep.filter(|_| led.is_none()) {
+        if let Some(tilt) = self.steep.filter(|_| led.is_none() && heights.is_none()) {
             let searched = self.config.plane.cone;
             doubts.push(Doubt::TooSteep { tilt, searched });
             return doubts;
         }
         let Some((_, plane)) = &self.classified.plane else {
             // A tool that presses at one height for long is on a surface and not guided by hand.
-            let far_off = find_distant_contact(path, self.config);
+            let searched = self.config.search_height_m;
+            let distant = self.reading.distant_height;
+            let far_off = distant.map(|height| Doubt::ContactFarFromSurface { height, searched });
+            let far_off = far_off.or_else(|| find_distant_contact(path, self.config));
             let shape = || {
                 let scatter = self.find_scatter()?;
                 let curved = self.find_curvature().filter(Doubt::is_other_surface);
                 Some(curved.unwrap_or(scatter))
             };
-            let reason = far_off.or(led).or_else(shape);
+            let reason = far_off.or(heights).or(led).or_else(shape);
             doubts.extend(reason.or_else(|| self.explain_missing_contact()));
+            doubts.extend(distant.and_then(|_| self.find_load()));
             return doubts;
         };
+        let has_heights = heights.is_some();
         doubts.extend(led);
-        doubts.extend(self.find_curvature());
+        doubts.extend(heights.or_else(|| self.find_curvature()));
         if !self.reading.has_free_motion {
             doubts.push(Doubt::NoFreeMotion);
         }
@@ -128,7 +147,7 @@ impl LogEvidence<'_> {
         let contact_share = self.contact_share.unwrap_or(1.0);
         let all = [
             (
-                (inliers as f64) < LEAST_ON_PLANE * confident as f64,
+                !has_heights && (inliers as f64) < LEAST_ON_PLANE * confident as f64,
                 Doubt::Scattered { inliers, confident },
             ),
             (
@@ -146,6 +165,19 @@ impl LogEvidence<'_> {
                 .map(|(_, doubt)| doubt),
         );
         doubts
+    }
+
+    /// Returns a doubt if the force in the air is like the weight of a tool that the sensor carries.
+    fn find_load(&self) -> Option<Doubt> {
+        let measured = self.reading.force_in_air(self.pieces);
+        let force = measured.norm();
+        let world_from_surface = self.surface.world_from_surface.rotation;
+        let is_vertical = (world_from_surface * measured).z.abs() >= VERTICAL * force;
+        let is_large = force >= LEAST_LOAD * self.declared.nominal_force();
+        (is_large && is_vertical).then_some(Doubt::LoadInAir {
+            force,
+            mass: force / GRAVITY,
+        })
     }
 
     /// Marks the pieces at which the tool was low enough to touch, for the case that its force is misread.

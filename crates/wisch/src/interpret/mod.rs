@@ -24,8 +24,8 @@ pub use belief::{
 };
 pub use config::{EventConfig, InterpretConfig, PlaneConfig, ToolCompliance, member_count};
 pub use contact::{
-    ContactResidual, FittedPlane, PathPiece, PlaneFit, RESIDUAL_CELL, ShapeFit, ToolStiffness,
-    Touch, TouchSample, fit_plane, fit_shape,
+    ContactLevel, ContactResidual, FittedPlane, PathPiece, PlaneFit, RESIDUAL_CELL, ShapeFit,
+    ToolStiffness, Touch, TouchSample, fit_plane, fit_shape,
 };
 pub use doubt::Doubt;
 pub use error::InterpretError;

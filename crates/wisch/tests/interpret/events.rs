@@ -155,6 +155,37 @@ fn forces_that_lag_raise_no_alarm_and_hide_none() {
     assert_near_times(&collisions[0], [script.hands[0].start, script.hands[0].end]);
 }
 
+/// The force decays after each contact, while the tool already rises.
+#[test]
+fn the_tail_of_a_slow_filter_is_no_push() {
+    for force_lag in [0.1, 0.2, 0.3, 0.5] {
+        let calm = interpreted(&Script {
+            force_lag,
+            ..Script::default()
+        });
+        let by_hand = calm.events.iter().filter(|event| event.kind.is_by_hand());
+        assert_eq!(by_hand.count(), 0, "{force_lag}: {:?}", calm.events);
+        assert_eq!(events(&calm, EventKind::Contact).len(), 3, "{force_lag}");
+    }
+    // A hand that holds the tool after a stroke gives no such tail.
+    let script = Script {
+        force_lag: 0.1,
+        ..Script::default()
+    };
+    let [_, end] = script.contacts()[0];
+    let held = interpreted(&Script {
+        hands: vec![Hand {
+            start: end + 0.2,
+            end: end + 0.8,
+            off: Vector3::new(0.0, 0.0, 0.02),
+            force: Vector3::new(0.0, 0.0, PRESS),
+        }],
+        ..script
+    });
+    let by_hand = held.events.iter().filter(|event| event.kind.is_by_hand());
+    assert_eq!(by_hand.count(), 1, "{:?}", held.events);
+}
+
 #[test]
 fn sticking_and_slipping_is_noticed() {
     for (stick_slip, speed) in [(4.0, 0.1), (8.0, 0.1), (4.0, 0.02)] {

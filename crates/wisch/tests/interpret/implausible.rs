@@ -223,6 +223,44 @@ fn a_log_far_above_the_surface_has_no_share_of_contact() {
     assert!(interpreted(&Script::default()).contact_share > Some(0.8));
 }
 
+/// The pose is that of the flange, and the sensor carries the tool: neither is stated.
+#[test]
+fn the_weight_of_a_tool_on_a_distant_pose_is_no_person() {
+    for rate in [50.0, 500.0] {
+        for mass in [0.0, 0.3, 0.6, 1.2, 2.0, 4.0] {
+            let script = Script {
+                rate,
+                ..Script::default()
+            };
+            let weight = Vector3::z() * -9.80665 * mass;
+            let found = changed(&script, |surface, _, sample| {
+                let mut sample = moved(sample, surface.rotation * Vector3::z() * 0.15);
+                sample.force += weight;
+                Some(sample)
+            });
+            let what = format!("{mass} kg, {rate} Hz: {:?}", found.doubts);
+            assert!(
+                matches!(found.doubts[0], Doubt::ContactFarFromSurface { height, .. } if (height - 0.15).abs() < 2e-3),
+                "{what}"
+            );
+            assert!(found.doubts[0].to_string().contains("--pose-offset"));
+            let by_hand = found.events.iter().filter(|event| event.kind.is_by_hand());
+            assert_eq!(by_hand.count(), 0, "{what}");
+            let load = (found.doubts.iter()).find_map(|doubt| match doubt {
+                Doubt::LoadInAir { mass, .. } => Some((*mass, doubt.to_string())),
+                _ => None,
+            });
+            match load {
+                Some((found, text)) => {
+                    assert!((found - mass).abs() < 0.05 * mass, "{what}");
+                    assert!(text.contains("--payload-mass"), "{text}");
+                }
+                None => assert!(mass < 0.5, "{what}"),
+            }
+        }
+    }
+}
+
 #[test]
 fn a_tool_harder_or_softer_than_declared_stays_in_contact_as_its_force_changes() {
     let script = Script {

@@ -1,8 +1,9 @@
 //! Classification of pieces as contact: normalised force (9), confident contacts (10) and the fitted plane (11).
 
 use super::downsampling::MeasuredPiece;
+use super::levels::ContactLevels;
 use super::path::{FittedPlane, PathPiece, Touch};
-use super::plane::{PlaneFit, fit_plane};
+use super::plane::{PlaneFit, fit_near, fit_plane};
 use super::registration::{ShapeFit, fit_shape, in_space};
 use super::residuals::{ContactResidual, map_residuals};
 use crate::geometry::{Bounds2, Point2, Point3, Vector2, Vector3};
@@ -60,6 +61,8 @@ pub(in crate::interpret) struct ContactClassifier<'a> {
     pub(in crate::interpret) config: &'a InterpretConfig,
     /// Upper limit of f′ [1]: that of the declared force, if the nominal force of the log is smaller.
     pub(in crate::interpret) most_share: f64,
+    /// The planes at different heights on which the contacts lie; the main one of them then counts.
+    pub(in crate::interpret) levels: Option<ContactLevels>,
 }
 
 impl ContactClassifier<'_> {
@@ -67,10 +70,12 @@ impl ContactClassifier<'_> {
     pub(in crate::interpret) fn classify(&self, pieces: &[MeasuredPiece]) -> ClassifiedPath {
         let config = self.config;
         let confident = touching_points(pieces, config.confident_share, config);
-        let fit = fit_plane(&confident, &config.plane, config.seed);
+        let level =
+            (self.levels).and_then(|levels| fit_near(&confident, levels.main, &config.plane));
+        let fit = level.or_else(|| fit_plane(&confident, &config.plane, config.seed));
         let plane = fit.filter(|_| config.gap_m == 0.0).map(|fit| {
             let touching = touching_points(pieces, TOUCHING_SHARE, config);
-            let fit = widen(fit, &confident, &touching, config);
+            let fit = level.unwrap_or_else(|| widen(fit, &confident, &touching, config));
             let described = describe(&fit, &confident, self.surface, config);
             (fit, described)
         });

@@ -87,9 +87,13 @@ pub(in crate::interpret) enum ContactShape {
 
 /// A place at which the tool pressed, with the height of its underside at nominal force.
 #[derive(Debug, Clone, Copy)]
-struct PressedPlace {
-    place: Point2,
-    height: f64,
+pub(super) struct PressedPlace {
+    pub(super) place: Point2,
+    pub(super) height: f64,
+    /// Height of the tool centre point as measured [m].
+    pub(super) measured: f64,
+    /// Number of the contact in the log.
+    pub(super) index: usize,
 }
 
 impl ContactShape {
@@ -102,10 +106,10 @@ impl ContactShape {
         surface: &Surface,
         config: &InterpretConfig,
     ) -> Option<(Self, f64)> {
-        let first = contacts(pieces, surface, config, |_| Vector3::z());
+        let first = pressed_places(pieces, surface, config, |_| Vector3::z());
         let quadric = Quadric::fit(&first)?;
         // Friction has no part along the real normal.
-        let contacts = contacts(pieces, surface, config, |place| quadric.normal(place));
+        let contacts = pressed_places(pieces, surface, config, |place| quadric.normal(place));
         let quadric = Quadric::fit(&contacts)?;
         let plane = Quadric::fit_plane(&contacts)?;
         let [bent, flat] = [&quadric, &plane].map(|fit| fit.residual(&contacts, 0.5));
@@ -132,7 +136,7 @@ impl ContactShape {
 
 /// Returns the places of contact. Contacts near the border are left out, as the tool tips there. `normal` is that of the
 /// real surface at a place.
-fn contacts(
+pub(super) fn pressed_places(
     pieces: &[MeasuredPiece],
     surface: &Surface,
     config: &InterpretConfig,
@@ -149,6 +153,8 @@ fn contacts(
             contacts.push(PressedPlace {
                 place,
                 height: piece.mean_height + spring_back,
+                measured: piece.mean_height,
+                index: contacts.len(),
             });
         }
     }
@@ -179,7 +185,7 @@ pub(in crate::interpret) fn is_inland(
 }
 
 /// A quadric z = height + slope · p + ½ pᵀ K p, with p relative to the middle of the contacts.
-struct Quadric {
+pub(super) struct Quadric {
     middle: Point2,
     height: f64,
     slope: Vector2,
@@ -190,7 +196,7 @@ struct Quadric {
 
 impl Quadric {
     /// `None` if the contacts are too few.
-    fn fit(contacts: &[PressedPlace]) -> Option<Self> {
+    pub(super) fn fit(contacts: &[PressedPlace]) -> Option<Self> {
         Self::fit_terms(contacts, 3)
     }
 
@@ -245,7 +251,7 @@ impl Quadric {
         })
     }
 
-    fn height_at(&self, place: Point2) -> f64 {
+    pub(super) fn height_at(&self, place: Point2) -> f64 {
         let p = place - self.middle;
         self.height + self.slope.dot(&p) + 0.5 * p.dot(&(self.curvature * p))
     }

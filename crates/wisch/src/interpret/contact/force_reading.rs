@@ -42,6 +42,12 @@ const LEAST_SIGNIFICANCE: f64 = 2.0;
 const LEAST_FORCE: [f64; 2] = [0.1, 0.3];
 /// Largest spread of the force on the plane over its median [1]; a larger one comes from a hand.
 const MOST_VARIATION: f64 = 0.6;
+/// Least share of the time in which a tool slides with force, and of that in which it slides without, where it hovers for a
+/// part of its strokes [1], and least height over the contact at which it hovers [m].
+const LEAST_PART: f64 = 0.1;
+const LEAST_HOVER: f64 = 5e-4;
+/// Range of the contact force over the nominal one at which contact far from the believed surface is recognised [1].
+const DISTANT_FORCE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 /// Least cosine of the angle between contact force and normal at which the declared frame holds [1]; friction of rubber
 /// tilts the force by 40° at most.
 const LEAST_ALIGNED: f64 = 0.5;
@@ -100,6 +106,8 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) bias_change: Option<BiasChange>,
     /// Lowest plane near the believed surface on which the tool slid, with any force.
     pub(in crate::interpret) lowest: Option<PlaneFit>,
+    /// Height over the believed surface of the plane on which the tool pressed, if contact is not searched there [m].
+    pub(in crate::interpret) distant_height: Option<f64>,
 }
 
 impl ForceReading {
@@ -143,7 +151,13 @@ impl ForceReading {
         let contact = most_plausible(contacts.collect());
         let reading = match contact {
             Some(contact) => Self::from_contact(&contact, &scene),
-            None => by_height,
+            None => match scene.find_distant_contact() {
+                Some((height, contact)) => Self {
+                    distant_height: Some(height),
+                    ..Self::from_contact(&contact, &scene)
+                },
+                None => by_height,
+            },
         };
         Self {
             lowest: lowest.copied(),
@@ -183,6 +197,7 @@ impl ForceReading {
             has_free_motion: known.is_some(),
             bias_change: find_bias_change(pieces, &high, &is_clear, axes),
             lowest: None,
+            distant_height: None,
         }
     }
 
@@ -216,6 +231,7 @@ impl ForceReading {
             has_free_motion: true,
             bias_change: find_bias_change(&pieces, &contact.free, &contact.is_clear, contact.axes),
             lowest: None,
+            distant_height: None,
         };
         let least = LEAST_FORCE[0] * contact.step.norm();
         let pressing = |some: &[usize]| -> Vec<f64> {
@@ -279,6 +295,13 @@ impl ForceReading {
         (pieces.first()).map_or(0.0, |first| self.axes.to_surface(first, self.bias).z)
     }
 
+    /// Force in free motion at the first piece, in the axes of the believed surface [N].
+    pub(in crate::interpret) fn force_in_air(&self, pieces: &[MeasuredPiece]) -> Vector3 {
+        (pieces.first()).map_or_else(Vector3::zeros, |first| {
+            self.axes.to_surface(first, self.bias)
+        })
+    }
+
     /// Nominal force of this log [N]: the declared one unless the tool pressed with another.
     pub(in crate::interpret) fn reference_force(&self, declared: f64) -> f64 {
         match self.pressed {
@@ -289,6 +312,7 @@ impl ForceReading {
 }
 
 /// Pieces of a log, with what their motion alone shows.
+#[derive(Clone, Copy)]
 struct Scene<'a> {
     pieces: &'a [MeasuredPiece],
     calm: &'a [bool],
@@ -317,24 +341,115 @@ struct SlidingContact {
 }
 
 impl Scene<'_> {
+    /// Returns the contact of the tool that slides on a plane, at all times or for a part of them.
     fn find_contact(&self, plane: &PlaneFit) -> Option<SlidingContact> {
-        let distances: Vec<f64> = (self.pieces.iter())
-            .map(|piece| {
-                let place = piece.position;
-                plane.distance(Point3::new(place.x, place.y, piece.mean_height))
-            })
-            .collect();
-        let clear = FREE_DISTANCE.max(2.0 * self.config.nominal_compression());
-        let indices = || 0..self.pieces.len();
-        let on: Vec<usize> = indices()
+        let distances = self.distances(plane);
+        let on: Vec<usize> = (0..self.pieces.len())
             .filter(|&i| self.slides[i] && distances[i].abs() <= SLIDING_DISTANCE)
             .collect();
-        let is_clear: Vec<bool> = distances.iter().map(|distance| *distance > clear).collect();
-        let free: Vec<usize> = (indices())
-            .filter(|&i| self.calm[i] && is_clear[i])
+        let free = self.free(&distances);
+        (self.examine(&distances, on.clone(), free.clone()))
+            .or_else(|| self.find_partial_contact(&on, &free))
+    }
+
+    /// Returns the contact of a tool that presses for a part of its strokes, and hovers closely above for the rest. Both lie
+    /// on one plane of sliding, whose force is then not steady.
+    fn find_partial_contact(&self, on: &[usize], free: &[usize]) -> Option<SlidingContact> {
+        if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
+            return None;
+        }
+        let axes = SensorAxes::Surface;
+        let (bias, _) = bias_and_noise(self.pieces, free, axes);
+        let size = |i: usize| (axes.of(&self.pieces[i], self.pieces[i].force) - bias).norm();
+        let mut sizes: Vec<f64> = on.iter().map(|&i| size(i)).collect();
+        sizes.sort_unstable_by(f64::total_cmp);
+        let least = 0.5 * sizes[(sizes.len() - 1) * 9 / 10];
+        let is_pressed = |i: &usize| size(*i) > least;
+        let points: Vec<Point3> = (on.iter().copied().filter(is_pressed))
+            .map(|i| at_mean_height(&self.pieces[i]))
             .collect();
+        let settings = PlaneConfig {
+            inlier_distance_m: SLIDING_DISTANCE,
+            ..self.config.plane.clone()
+        };
+        let distances = self.distances(&fit_plane(&points, &settings, self.config.seed)?);
+        let near = |i: &usize| self.slides[*i] && distances[*i].abs() <= FREE_DISTANCE;
+        let (pressed, hovers): (Vec<usize>, Vec<usize>) =
+            (0..self.pieces.len()).filter(near).partition(is_pressed);
+        let [pressing, hovering] = [&pressed, &hovers]
+            .map(|some| some.iter().map(|&i| lasts(self.pieces, i)).sum::<f64>());
+        let least = LEAST_PART * (pressing + hovering);
+        let above = median(
+            hovers
+                .iter()
+                .map(|&i| (distances[i], lasts(self.pieces, i)))
+                .collect(),
+        );
+        // A tool without force is above the surface; a hand pushes wherever the tool is.
+        if pressing < least || hovering < least || above < LEAST_HOVER {
+            return None;
+        }
+        let on = pressed
+            .into_iter()
+            .filter(|&i| distances[i].abs() <= SLIDING_DISTANCE);
+        let contact = self.examine(&distances, on.collect(), self.free(&distances))?;
+        let aligned = contact.step.normalize().dot(&contact.normal);
+        (aligned >= LEAST_ALIGNED).then_some(contact)
+    }
+
+    /// Returns the contact on the lowest plane on which the tool slid over the outline, with the height of that plane [m], if
+    /// it is too far from the believed surface for the search.
+    fn find_distant_contact(&self) -> Option<(f64, SlidingContact)> {
+        let is_over = |i: usize| self.surface.outline.contains(self.pieces[i].position.xy());
+        let slides: Vec<bool> = (0..self.pieces.len())
+            .map(|i| moves_along(self.pieces, i) && is_over(i))
+            .collect();
+        let planes = sliding_planes(self.pieces, &slides, self.config);
+        let plane = planes.iter().min_by(|a, b| a.height.total_cmp(&b.height))?;
+        let distances = self.distances(plane);
+        let is_below = (0..distances.len()).any(|i| is_over(i) && distances[i] < -FREE_DISTANCE);
+        if plane.height.abs() <= self.config.search_height_m || is_below {
+            return None;
+        }
+        let scene = Scene {
+            slides: &slides,
+            ..*self
+        };
+        let contact = scene.find_contact(plane)?;
+        let ratio = contact.step.norm() / self.config.nominal_force();
+        (DISTANT_FORCE.contains(&ratio)).then_some((plane.height, contact))
+    }
+
+    /// Signed distances of all pieces from a plane [m].
+    fn distances(&self, plane: &PlaneFit) -> Vec<f64> {
+        let pieces = self.pieces.iter();
+        pieces
+            .map(|piece| plane.distance(at_mean_height(piece)))
+            .collect()
+    }
+
+    /// Whether a tool at a distance from the plane is clear of it.
+    fn is_clear(&self, distance: f64) -> bool {
+        distance > FREE_DISTANCE.max(2.0 * self.config.nominal_compression())
+    }
+
+    /// Returns the calm pieces clear of the plane with these distances [m].
+    fn free(&self, distances: &[f64]) -> Vec<usize> {
+        (0..self.pieces.len())
+            .filter(|&i| self.calm[i] && self.is_clear(distances[i]))
+            .collect()
+    }
+
+    /// Returns the contact of the pieces `on` a plane, if their force differs from that of the `free` pieces and is steady.
+    /// `distances` are those from the plane [m].
+    fn examine(
+        &self,
+        distances: &[f64],
+        on: Vec<usize>,
+        free: Vec<usize>,
+    ) -> Option<SlidingContact> {
         let reach = SLIDING_DISTANCE + self.config.nominal_compression();
-        let near: Vec<usize> = indices()
+        let near: Vec<usize> = (0..self.pieces.len())
             .filter(|&i| self.slides[i] && distances[i].abs() <= reach)
             .collect();
         if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
@@ -386,7 +501,7 @@ impl Scene<'_> {
             weight: pressed * (over + BESIDE * beside),
             on,
             free,
-            is_clear,
+            is_clear: distances.iter().map(|off| self.is_clear(*off)).collect(),
             near,
         })
     }
@@ -488,7 +603,7 @@ fn sliding_planes(
     };
     let mut points: Vec<Point3> = (pieces.iter().zip(slides))
         .filter(|(_, slides)| **slides)
-        .map(|(piece, _)| Point3::new(piece.position.x, piece.position.y, piece.mean_height))
+        .map(|(piece, _)| at_mean_height(piece))
         .collect();
     let least = (LEAST_ON_PLANE * points.len() as f64) as usize;
     let mut planes = Vec::new();
@@ -504,6 +619,11 @@ fn sliding_planes(
 
 /// Whether the tool moves along the surface rather than towards it, within the height at which contact is searched.
 pub(super) fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretConfig) -> bool {
+    pieces[i].mean_height.abs() <= config.search_height_m && moves_along(pieces, i)
+}
+
+/// Whether the tool moves along the surface rather than towards it, at any height.
+fn moves_along(pieces: &[MeasuredPiece], i: usize) -> bool {
     let Some([before, after]) = neighbours(pieces, i) else {
         return false;
     };
@@ -511,9 +631,12 @@ pub(super) fn is_sliding(pieces: &[MeasuredPiece], i: usize, config: &InterpretC
     let way = after.position - before.position;
     let along = way.xy().norm();
     let [slowest, steepest] = SLIDING;
-    pieces[i].mean_height.abs() <= config.search_height_m
-        && along >= slowest * (after.time[1] - before.time[1])
-        && way.z.abs() <= steepest * along
+    along >= slowest * (after.time[1] - before.time[1]) && way.z.abs() <= steepest * along
+}
+
+/// Place of a piece at its mean height [m].
+fn at_mean_height(piece: &MeasuredPiece) -> Point3 {
+    Point3::new(piece.position.x, piece.position.y, piece.mean_height)
 }
 
 /// Whether the velocity before and after a piece is about the same.

@@ -199,6 +199,30 @@ fn count_inliers(points: &[Point3], plane: PlaneFit, inlier_distance: f64) -> Pl
     }
 }
 
+/// Fits a plane by least squares to the points near one with this height over the origin [m] and this slope [1]. `None` if too
+/// few points lie near it.
+pub(super) fn fit_near(
+    points: &[Point3],
+    (height, slope): (f64, Vector2),
+    config: &PlaneConfig,
+) -> Option<PlaneFit> {
+    let start = PlaneFit {
+        height,
+        slope,
+        inliers: 0,
+        rms: 0.0,
+        directions: 0,
+    };
+    let fit = refine(points, start, config);
+    (fit.inliers >= config.min_points).then_some(fit)
+}
+
+/// Returns the slope of points by least squares [1]; 0 along directions in which their standard deviation is below
+/// `min_spread` [m].
+pub(super) fn slope_within(points: &[Point3], min_spread: f64) -> Vector2 {
+    Spread::of(points.iter()).least_squares(min_spread).slope
+}
+
 /// Sums of a set of points, relative to the first of them.
 #[derive(Debug, Clone, Copy, Default)]
 struct Spread {

@@ -1,7 +1,7 @@
 //! The words of doubts.
 
 use super::{Doubt, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
-use crate::interpret::contact::STIFFEST;
+use crate::interpret::contact::{ContactLevel, STIFFEST};
 use crate::interpret::wrench_quality::UnusableWrenches;
 use std::fmt;
 
@@ -29,6 +29,7 @@ impl fmt::Display for Doubt {
                 "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
                 1e3 * off
             ),
+            Self::SeveralHeights { levels, contacts } => write_heights(f, &levels, contacts),
             Self::OffShape { off } => write!(
                 f,
                 "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
@@ -83,6 +84,7 @@ impl fmt::Display for Doubt {
             }
             Self::HandGuided { share } => write_guided(f, share),
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
+            Self::LoadInAir { force, mass } => write_load(f, force, mass),
             Self::ContactBesideSurface { share } => write!(
                 f,
                 "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
@@ -405,6 +407,31 @@ fn write_far_off(f: &mut fmt::Formatter<'_>, height: f64, searched: f64) -> fmt:
     let height = height.abs();
     write!(
         f,
-        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface"
+        "the tool pressed {height:.3} m {side} the believed surface, beyond the {searched:.3} m within which contact is searched: check the pose of the surface, and state the tool's pose in the logged frame if that is not the frame of the tool (--pose-offset)"
+    )
+}
+
+/// Writes [`Doubt::SeveralHeights`].
+fn write_heights(
+    f: &mut fmt::Formatter<'_>,
+    levels: &[ContactLevel],
+    contacts: usize,
+) -> fmt::Result {
+    let used: Vec<String> = (levels.iter().filter(|level| level.contacts > 0))
+        .map(|level| format!("{} at {:+.1} mm", level.contacts, 1e3 * level.height))
+        .collect();
+    let count = if used.len() == 2 { "two" } else { "three" };
+    write!(
+        f,
+        "the contacts lie at {count} heights over the believed surface, not on one plane: of {contacts} contacts, {}: interpret each part of the surface as a task of its own, and check whether surface or robot moved during the log",
+        used.join(", ")
+    )
+}
+
+/// Writes [`Doubt::LoadInAir`].
+fn write_load(f: &mut fmt::Formatter<'_>, force: f64, mass: f64) -> fmt::Result {
+    write!(
+        f,
+        "in the air the force is {force:.1} N along the vertical, as the weight of {mass:.2} kg: if the sensor carries the tool, state its mass (--payload-mass)"
     )
 }

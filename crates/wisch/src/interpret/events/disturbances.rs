@@ -16,6 +16,15 @@ const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 /// Time before a strong force within which its beginning is searched [s].
 const RISE: f64 = 0.06;
 
+/// Range of the time constants of a sensor's low-pass filter [s], longest time between contact and its tail [s], fewest pieces
+/// of a tail, largest deviation from an exponential over its initial force [1], and largest initial force over that of the
+/// contact [1].
+const TAIL: [f64; 2] = [0.02, 1.0];
+const BEFORE_TAIL: f64 = 0.1;
+const FEWEST_IN_TAIL: usize = 4;
+const MOST_OFF_TAIL: f64 = 0.12;
+const MOST_OF_CONTACT: f64 = 1.2;
+
 /// Share of a log from which all pushes together count as hand guiding [1].
 const GUIDED_SHARE: f64 = 0.5;
 
@@ -28,6 +37,7 @@ impl EventDetector<'_> {
         for candidate in &mut candidates {
             candidate.first = self.onset(candidate);
         }
+        candidates.retain(|candidate| !self.is_filter_tail(candidate));
         let mut pushes: Vec<Candidate> = Vec::new();
         let mut others: Vec<(EventKind, Candidate)> = Vec::new();
         for candidate in candidates {
@@ -55,6 +65,51 @@ impl EventDetector<'_> {
         (disturbances.iter())
             .map(|(kind, candidate)| self.describe(*kind, candidate.first, candidate.last))
             .collect()
+    }
+
+    /// Whether the force of a candidate is that of the contact before it, which a low-pass filter of the sensor lets decay
+    /// exponentially while the tool rises.
+    fn is_filter_tail(&self, candidate: &Candidate) -> bool {
+        let [first, last] = [candidate.first, candidate.last];
+        let begin = self.span(first)[0];
+        let before = (0..first).rev();
+        let before = before.take_while(|&i| begin - self.span(i)[1] <= BEFORE_TAIL);
+        let contact = before
+            .filter(|&i| self.is_touching(i))
+            .map(|i| self.force(i).norm());
+        let contact = contact.fold(0.0, f64::max);
+        // Of F = F₀ exp(−t/τ), ln F is linear.
+        let decay: Vec<[f64; 2]> = (first..=last)
+            .map(|i| {
+                let [start, end] = self.span(i);
+                let size = self.force(i).norm();
+                [
+                    0.5 * (start + end) - begin,
+                    libm::log(size.max(f64::MIN_POSITIVE)),
+                ]
+            })
+            .collect();
+        let count = decay.len() as f64;
+        let [time, level] = [0, 1].map(|k| decay.iter().map(|at| at[k]).sum::<f64>() / count);
+        let [mut square, mut product] = [0.0; 2];
+        for at in &decay {
+            square += (at[0] - time).powi(2);
+            product += (at[0] - time) * (at[1] - level);
+        }
+        let rate = product / square;
+        let fitted = |at: &[f64; 2]| libm::exp(level + rate * (at[0] - time));
+        let off = decay
+            .iter()
+            .map(|at| (libm::exp(at[1]) - fitted(at)).powi(2))
+            .sum::<f64>();
+        let initial = fitted(&[0.0, 0.0]);
+        let [shortest, longest] = TAIL.map(|time| -1.0 / time);
+        decay.len() >= FEWEST_IN_TAIL
+            && (shortest..=longest).contains(&rate)
+            && (off / count).sqrt() <= MOST_OFF_TAIL * initial
+            && initial <= MOST_OF_CONTACT * contact
+            && self.path[last].height > self.path[first].height
+            && self.path[last].height > self.config.events.collision_height_m
     }
 
     /// Returns the piece at which a candidate begins to rise to its first strong piece. Friction alone may exceed the
