@@ -11,7 +11,7 @@ use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::interpretation::{Diagnosis, Interpretation};
-use super::log_evidence::{LEAST_ON_PLANE, LogEvidence, MOST_SPREAD, STEADY};
+use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
 use crate::represent::{
@@ -379,7 +379,10 @@ impl Interpreter {
         } else {
             Vec::new()
         };
-        leave_out_contacts(&mut events, &doubts, &config);
+        if doubts.iter().any(Doubt::is_other_surface) {
+            // A force off the plane is that of another surface and not that of a hand.
+            events.retain(|event| !event.kind.is_by_hand());
+        }
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
@@ -588,20 +591,6 @@ impl LeveledLog {
         let corners = surface.outline.outer().iter();
         let distances = corners.map(|corner| fit.height_at(corner.coords).abs());
         distances.fold(0.0, f64::max)
-    }
-}
-
-/// Leaves out by-hand events that are contacts with another surface than the believed one: their force is that of the surface
-/// and not that of a hand.
-fn leave_out_contacts(events: &mut Vec<Event>, doubts: &[Doubt], config: &InterpretConfig) {
-    if doubts.iter().any(Doubt::is_other_surface) {
-        events.retain(|event| !event.kind.is_by_hand());
-    } else if (doubts.iter()).any(|doubt| matches!(doubt, Doubt::NotPlanar { .. })) {
-        let is_wiping = |event: &Event| {
-            let share = -event.mean_normal_force / config.nominal_force();
-            STEADY.contains(&share) && event.peak_height <= MOST_SPREAD
-        };
-        events.retain(|event| !event.kind.is_by_hand() || !is_wiping(event));
     }
 }
 

@@ -13,7 +13,7 @@ use crate::represent::Surface;
 /// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
 /// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
-pub(super) const MOST_SPREAD: f64 = 0.03;
+const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
 const LONGEST_STEP: f64 = 0.1;
 /// Least share of the confident contacts that a plane must hold [1].
@@ -26,7 +26,7 @@ const MOST_BESIDE: f64 = 0.5;
 /// of the mean force over the nominal one [1].
 const STEADY_TRAVEL: f64 = 0.02;
 const LEAST_PRESSED: f64 = 0.5;
-pub(super) const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
+const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 /// Steepest rise of a surface against the plane [1].
 const STEEPEST: f64 = 0.25;
 /// Least share of its pieces that are off the plane where a tool slides off it [1].
