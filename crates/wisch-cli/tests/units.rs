@@ -401,12 +401,12 @@ fn what_is_assumed_of_a_pad_of_edges_and_of_points_is_reported() {
     let given = check(&[&pad[..], &["tool.height_m=0.01", "particles.count=7"]].concat());
     assert!(!given.contains(height), "{given}");
     assert!(given.contains("6 points, which lie"), "{given}");
-    // 0.155 m2 over 625 points: 15.7 mm apart, more than a quarter of the sponge's 70 mm would be 17.5 mm.
+    // 0.155 m2 over 625 points: 15.7 mm apart; a fifth of the sponge's 110 mm is 22 mm.
     let sponge = check(&["particles.count=625"]);
     assert!(!sponge.contains("points, which lie"), "{sponge}");
-    // A quarter of the pad's 50 mm is 12.5 mm, and 0.155 m2 / (12.5 mm)2 = 992.
-    let few = check(&[&pad[..], &["particles.count=625"]].concat());
-    let expected = "strips of up to 0.008 m along the borders may stay untreated. The tool is 0.050 m wide: set particles.count to at least 992";
+    // A fifth of the pad's 80 mm is 16 mm, and 0.155 m2 / 400 = (19.7 mm)2: 1.2 (19.7 / 16)2 = 1.8.
+    let few = check(&[&pad[..], &["particles.count=400"]].concat());
+    let expected = "along the borders may stay untreated. The tool is 0.080 m wide: multiply particles.count by at least 1.8";
     assert!(few.contains(expected), "{few}");
 
     let outline = "surface.outline_m=[[0,0],[0,0.3],[0.4,0.3],[0.4,0]]";

@@ -8,8 +8,8 @@ use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 use wisch::robot::{
     ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
-    CapabilityMap, Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, READY_STATE,
-    RobotHash, RobotModel, Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
+    CapabilityMap, Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, MapError,
+    READY_STATE, RobotHash, RobotModel, Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -100,6 +100,12 @@ impl Robot {
     /// ```
     pub fn remarks(&self) -> Vec<String> {
         let mut remarks = self.warnings();
+        if self.files.map.is_some() && self.map.is_none() {
+            remarks.push(format!(
+                "robot {:?}: the capability map beside its URDF reaches nothing, so it is not used",
+                self.model.name()
+            ));
+        }
         let model = &self.model;
         let rates = [
             (JointKind::Revolute, "rad", ASSUMED_TURN_RATES),
@@ -243,7 +249,11 @@ impl Robot {
         };
         if let Some((name, bytes)) = found {
             let hash = RobotHash::from_robot(&robot.model);
-            robot.map = Some(CapabilityMap::from_bytes(&name, &bytes, hash)?);
+            robot.map = match CapabilityMap::from_bytes(&name, &bytes, hash) {
+                // A map that nobody named is not needed.
+                Err(MapError::ReachesNothing { .. }) if map_file.is_none() => None,
+                map => Some(map?),
+            };
             robot.files.map = Some(bytes);
         }
         Ok(robot)

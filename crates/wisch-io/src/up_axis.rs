@@ -22,6 +22,6 @@ pub fn up_axis_remark(file: &str, bytes: &[u8]) -> Option<String> {
         _ => return None,
     };
     Some(format!(
-        "mesh {file:?}: <up_axis> is {axis}, which is not applied, as in ROS: the file's x, y and z are taken as they stand. If the mesh lies on its side, export it with Z_UP, or turn the surface or object with rpy_rad = {rotation}"
+        "mesh {file:?}: <up_axis> is {axis}, which is not applied, as in ROS: the file's x, y and z are taken as they stand. If the mesh lies on its side, export it with Z_UP, or, for a surface or object, turn it with rpy_rad = {rotation}"
     ))
 }

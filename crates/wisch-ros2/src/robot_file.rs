@@ -225,7 +225,7 @@ impl Default for LimitTable {
 impl LimitTable {
     /// Age from which samples state a wrench as stale [ms].
     pub fn stale_ms(&self) -> f64 {
-        self.wrench_stale_ms.unwrap_or(self.wrench_age_ms / 2.0)
+        self.wrench_stale_ms.unwrap_or(self.wrench_age_ms)
     }
 }
 

@@ -91,8 +91,8 @@ mod tests {
             (Some(&small), 10, false, WrenchQuality::Untared),
             (Some(&large), 10, false, WrenchQuality::Saturated),
             // Stale from half of wrench_age_ms on.
-            (Some(&large), 11, true, WrenchQuality::Stale),
-            (Some(&small), 11, false, WrenchQuality::Stale),
+            (Some(&large), 21, true, WrenchQuality::Stale),
+            (Some(&small), 21, false, WrenchQuality::Stale),
             (None, 0, true, WrenchQuality::Stale),
         ] {
             let at = measured + Duration::from_millis(age_ms);

@@ -249,7 +249,8 @@ fn used_paths(text: &str) -> Vec<String> {
 }
 
 /// What the audit of a motion may know: data, and what describes the robot, its cell and the task.
-const AUDITED: [&str; 27] = [
+const AUDITED: [&str; 28] = [
+    "crate::digits::apart_from",
     "crate::follow::AllowedContact",
     "crate::follow::FollowConfig",
     "crate::follow::FollowError",

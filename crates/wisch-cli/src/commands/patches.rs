@@ -34,11 +34,6 @@ impl TaskPatches {
             &with_settings(args, &[("surface.mesh.patch", "1".to_owned())]),
             &KeptFiles::default(),
         )?;
-        if first.task.action == Action::Dispense {
-            let problem = "surface.mesh.patch = \"all\" does not work with the action dispense: strokes of neighbouring patches overlap at seams, and their coats add up there, which no plan of a patch takes into account";
-            return Err(stage_failure(args, problem)
-                .with_help("coat one patch: surface.mesh.patch = 1, and mask its neighbours"));
-        }
         let SurfaceShape::Mesh(mesh) = &first.task.surface.shape else {
             return Err(internal("a patch is not of a mesh"));
         };
@@ -47,6 +42,11 @@ impl TaskPatches {
             Arc::clone(&patch.atlas),
             patch.areas().collect::<Vec<f64>>(),
         );
+        if first.task.action == Action::Dispense && areas.len() > 1 {
+            let problem = "surface.mesh.patch = \"all\" does not work with the action dispense: strokes of neighbouring patches overlap at seams, and their coats add up there, which no plan of a patch takes into account";
+            return Err(stage_failure(args, problem)
+                .with_help("coat one patch: surface.mesh.patch = 1, and mask its neighbours"));
+        }
         let (ParticleSource::Uniform { count } | ParticleSource::Surface { count }) =
             first.file.particles
         else {

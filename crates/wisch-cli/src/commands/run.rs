@@ -213,6 +213,13 @@ fn work_on_patches(
             .within(&out)
             .with_help("choose another folder with --out"));
     }
+    let is_foreign = out.join(REPORT_FILE).exists() && !out.join("patch-1").exists();
+    if is_foreign && !results.force {
+        let problem = format!("the folder holds a file {REPORT_FILE} that is not of this task");
+        return Err(Failure::new(problem)
+            .within(&out)
+            .with_help("choose another folder with --out, or replace the file with --force"));
+    }
     let count = tasks.len();
     let (mut summaries, mut are_met) = (Vec::new(), true);
     for (task_args, number) in tasks.iter().zip(1..) {
@@ -246,13 +253,13 @@ fn work_on_patches(
     are_met &= summaries.len() == count;
     let place = out.display().to_string();
     let summary = PatchesSummary::new(&first.task.name, summaries, count, are_met, place);
-    let page = summary.page(&atlas);
-    OutputFile::begin(&out.join(REPORT_FILE))?.finish(page.as_bytes())?;
     if results.json {
         print_json(&summary)?;
     } else if !global.quiet {
         print(&summary.in_words())?;
     }
+    let page = summary.page(&atlas);
+    OutputFile::begin(&out.join(REPORT_FILE))?.finish(page.as_bytes())?;
     Ok(are_met)
 }
 

@@ -131,19 +131,22 @@ fn performance_in_words(
 ) -> String {
     let target = prediction.target_performance;
     let above = (summary.treatment).and_then(|treatment| treatment.share_above_max_passes);
-    let verdict = match goal_of(rounds, target) {
-        Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
-        _ if prediction.goal == "not met" && above.is_some_and(|above| above > 1.0 - target) => {
-            "not met: too many points above max_passes"
-        }
-        _ => prediction.goal,
-    };
     let (word, performance) = match &summary.execution {
         Some(execution) if !execution.is_conclusive => {
             ("unknown; guessed", execution.final_estimated)
         }
         Some(execution) => ("estimated", execution.final_estimated),
         None => ("predicted", prediction.predicted_performance),
+    };
+    let verdict = match goal_of(rounds, target) {
+        Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+        _ if prediction.goal == "not met"
+            && performance >= target
+            && above.is_some_and(|above| above > 1.0 - target) =>
+        {
+            "not met: too many points above max_passes"
+        }
+        _ => prediction.goal,
     };
     let what = if summary.treatment.is_some() {
         "points"

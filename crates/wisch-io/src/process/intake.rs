@@ -17,13 +17,10 @@ const UNIT_TOLERANCE: f64 = 1e-3;
 const LAST_SAMPLE: f64 = 1.0;
 /// Maximum time by which a motion's reported duration may exceed its samples [s].
 const UNMEASURED: f64 = 60.0;
-/// Maximum time of the first sample after the motion's start, without its pauses [s]; [`UNMEASURED`] if the executor
-/// reports its progress on the trajectory.
-const LATEST_BEGIN: f64 = 5.0;
 /// What a wrong time of a sample has to be.
 const SINCE_BEGIN: &str = "time_s counts from the begin of the motion, not from that of a clock";
 /// Maximum time by which a motion's reported duration may be below the time of the last sample [s].
-const ROUNDED: f64 = 0.1;
+const ROUNDED: f64 = 2.0;
 /// Reason of a stop that the executor reports, but that was not requested.
 const UNREQUESTED: &str = "the executor reports \"stopped\" without a request to stop";
 /// Maximum time of a sample before the motion's start [s].
@@ -468,7 +465,7 @@ impl<'a> Intake<'a> {
         sample.check(self.since, self.dof)?;
         self.check_round(&format!("the sample at {} s", sample.time_s), sample.round)?;
         self.since = sample.time_s;
-        self.check_begin(sample.trajectory_time_s.is_some())?;
+        self.check_begin()?;
         self.count += 1.0;
         if self.count > BURST + MAX_RATE * (EARLY + self.since) {
             return Err(format!(
@@ -540,17 +537,13 @@ impl<'a> Intake<'a> {
     }
 
     /// Checks that the first sample is soon after the begin of the motion: a time of another clock is later.
-    fn check_begin(&self, is_progress_reported: bool) -> Result<(), String> {
-        let most = if is_progress_reported {
-            UNMEASURED
-        } else {
-            LATEST_BEGIN
-        };
+    fn check_begin(&self) -> Result<(), String> {
+        let most = UNMEASURED.max(self.order.followed.duration());
         if self.count > 0.0 || self.time_run() <= most {
             return Ok(());
         }
         Err(format!(
-            "the first sample is at {} s, without pauses more than {most} s after the begin of the motion; {SINCE_BEGIN}",
+            "the first sample is at {} s, without pauses more than {most:.0} s after the begin of the motion; {SINCE_BEGIN}",
             self.since
         ))
     }

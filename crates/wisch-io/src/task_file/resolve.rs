@@ -33,8 +33,8 @@ const BESIDE_CENTRE: f64 = 0.25;
 /// Distance of a tool's underside from z = 0 of its frame above which a remark is made: at least this [m], and this share of
 /// the tool's compression [1].
 const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
-/// Distance of the points of a treated surface above which a remark is made, over the width of the tool [1].
-const WIDEST_SPACING: f64 = 0.25;
+/// Distance of the points of a treated surface above which a remark is made, over the length of the tool across its lanes [1].
+const WIDEST_SPACING: f64 = 0.2;
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -415,15 +415,16 @@ static LAST_DIVISION: Mutex<Option<(Mesh, SheetConfig, Arc<Atlas>)>> = Mutex::ne
 
 /// Divides a mesh into patches.
 fn divide(mesh: &Mesh, config: &SheetConfig) -> Result<Arc<Atlas>, SheetError> {
-    let mut last = LAST_DIVISION.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((of, with, atlas)) = last.as_ref()
-        && of == mesh
-        && with == config
-    {
-        return Ok(Arc::clone(atlas));
+    // Not locked while the mesh is divided, which runs on several threads.
+    let last = || LAST_DIVISION.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = (last().as_ref())
+        .filter(|(of, with, _)| of == mesh && with == config)
+        .map(|(_, _, atlas)| Arc::clone(atlas));
+    if let Some(atlas) = known {
+        return Ok(atlas);
     }
     let atlas = Arc::new(Atlas::from_mesh(mesh, config, MAX_CHARTS)?);
-    *last = Some((mesh.clone(), *config, Arc::clone(&atlas)));
+    *last() = Some((mesh.clone(), *config, Arc::clone(&atlas)));
     Ok(atlas)
 }
 
@@ -579,16 +580,17 @@ pub(crate) fn underside_remark(task: &Task) -> Option<String> {
 
 /// Returns a remark on points of a treated surface that are so few that the tool passes between them, or along a border.
 pub(crate) fn points_remark(task: &Task) -> Option<String> {
-    let width = task.tool.footprint.bounds()?.size().min();
+    let width = task.tool.footprint.bounds()?.size().max();
     let count = task.particles.len();
     let area = task.surface.outline.area();
     let spacing = (area / count.max(1) as f64).sqrt();
     let limit = WIDEST_SPACING * width;
     (task.action.treats() && spacing > limit).then(|| {
         format!(
-            "the performance is that of {count} points, which lie {spacing:.3} m apart, and not of the surface between them: lanes follow the points, so that strips of up to {:.3} m along the borders may stay untreated. The tool is {width:.3} m wide: set particles.count to at least {:.0}",
+            "the performance is that of {count} points, which lie {spacing:.3} m apart, and not of the surface between them: lanes follow the points, so that strips of up to {:.3} m along the borders may stay untreated. The tool is {width:.3} m wide: multiply particles.count by at least {:.1}",
             0.5 * spacing,
-            (area / (limit * limit)).ceil()
+            // Rows and columns of points are whole.
+            1.2 * (spacing / limit).powi(2)
         )
     })
 }

@@ -54,6 +54,14 @@ pub enum MapError {
         /// Number of samples.
         samples: u64,
     },
+    /// A map file holds a map that reaches nothing.
+    #[error(
+        "capability map {file:?} reaches nothing, as that of an arm that cannot tilt its tool; work without a map"
+    )]
+    ReachesNothing {
+        /// Name of the map, as given to the reader.
+        file: String,
+    },
     /// The chain reaches cells of the map, but the centre of none of them.
     #[error(
         "random positions of the chain are in {cells} cells, but the centre of none of them can be reached: a map has the tool's axis in fixed directions, which an arm that cannot tilt its tool (SCARA, gantry, palletizer) never has; work without a map"

@@ -132,10 +132,9 @@ impl CapabilityMap {
         reader.bytes = &reader.bytes[..content];
         let map = reader.map(robot).map_err(format)?;
         if map.values.iter().all(|&value| value == 0) {
-            return Err(format(
-                "it reaches nothing, as that of an arm that cannot tilt its tool; remove the file, and work without a map"
-                    .to_owned(),
-            ));
+            return Err(MapError::ReachesNothing {
+                file: name.to_owned(),
+            });
         }
         Ok(map)
     }

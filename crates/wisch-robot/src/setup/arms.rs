@@ -93,22 +93,37 @@ pub fn find_arms(robot: &RobotModel, tips: &[LinkId]) -> Result<Vec<ArmChain>, S
         tip_axis: limb.tip.axis,
         tip_tilt: limb.tip.tilt,
     });
-    let arms: Vec<ArmChain> = arms.collect();
-    for proposed in arms.iter().flat_map(|arm| &arm.groups) {
+    let (mut movable, mut locked) = (Vec::new(), None);
+    for arm in arms {
+        match find_locked(robot, &arm)? {
+            Some(found) => locked = locked.or(Some(found)),
+            None => movable.push(arm),
+        }
+    }
+    // A locked arm beside another one is no arm, unless it was named.
+    match locked {
+        Some(locked) if movable.is_empty() || !tips.is_empty() => Err(locked),
+        _ => Ok(movable),
+    }
+}
+
+/// Returns the error of an arm with a group of which no joint has a range, if there is one.
+fn find_locked(robot: &RobotModel, arm: &ArmChain) -> Result<Option<SetupError>, SetupError> {
+    for proposed in &arm.groups {
         let chain = robot.chain(proposed.group.base, proposed.group.tip)?;
         let has_range = |&variable: &usize| {
             let limits = robot.variable(variable).limits.position;
             limits.is_none_or(|limits| limits.upper > limits.lower)
         };
         if !chain.variables().iter().any(has_range) {
-            return Err(SetupError::NoRange {
+            return Ok(Some(SetupError::NoRange {
                 robot: robot.name().to_owned(),
                 joints: chain.variables().len(),
                 tip: robot.links()[proposed.group.tip.index()].name.clone(),
-            });
+            }));
         }
     }
-    Ok(arms)
+    Ok(None)
 }
 
 /// Returns the limb that ends in a named link.

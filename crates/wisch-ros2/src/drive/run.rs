@@ -52,6 +52,8 @@ struct ActiveGoal {
     /// The request to accept it.
     request: GoalRequest,
     is_accepted: bool,
+    /// Whether it was cancelled: its time no longer passes.
+    is_ending: bool,
     /// Where on the trajectory it began, and how fast it goes.
     pace: GoalPace,
     /// End of its part, as planned [s].
@@ -290,6 +292,7 @@ impl<'a> MotionRun<'a> {
             sent: now,
             request,
             is_accepted: false,
+            is_ending: false,
             pace,
             end: self.end_of(part),
             since: 0.0,
@@ -494,7 +497,7 @@ impl<'a> MotionRun<'a> {
             Some((progress, apart)) => {
                 goal.since = goal.since.max(progress.time + apart * self.scaling);
             }
-            None if self.robot.file.motion.progress.is_none() => {
+            None if self.robot.file.motion.progress.is_none() && !goal.is_ending => {
                 goal.since += elapsed * self.scaling;
             }
             None => {}

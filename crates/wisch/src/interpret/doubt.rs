@@ -203,6 +203,8 @@ pub enum Doubt {
         left: [f64; 2],
         /// The same if nothing had been removed.
         believed: [f64; 2],
+        /// Least number of detections of dirt that the tool never touched.
+        untouched: f64,
     },
     /// Detections of a camera lie beside the surface, and are left out.
     DetectionsBeside {

@@ -97,9 +97,12 @@ impl Interpretation {
 
     /// Adds a doubt about the data of the log. With a decisive one, the performance may be another one.
     pub fn add_doubt(&mut self, doubt: Doubt) {
-        if doubt.is_decisive() {
+        if doubt.is_decisive() && !self.doubts.iter().any(Doubt::is_decisive) {
             self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
             self.performance = self.distribution.estimate();
+            if self.observation.is_none() {
+                self.by_touch = self.performance;
+            }
         }
         self.doubts.push(doubt);
     }
@@ -112,9 +115,9 @@ impl Interpretation {
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         if let Some(doubt) = contradiction {
-            // Of dirt that vanished where no tool was, some may have been overlooked.
-            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, left, .. }
-                if (*seen as f64) < left[0]);
+            // Dirt that the tool never touched does not vanish, so some may have been overlooked.
+            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, untouched, .. }
+                if (*seen as f64) < *untouched);
             if doubt.is_decisive() {
                 self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
             } else if is_too_clean {

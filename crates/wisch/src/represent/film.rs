@@ -181,7 +181,7 @@ impl FilmFlow {
         let on_surface = find_border(surface, from, down).map_or(way, |border| way.min(border));
         match find_stop(&self.occupied, from, down, on_surface) {
             Some(stop) => stop,
-            None if self.occupied.contains(from + down * way) => 0.0,
+            None if self.occupied.contains(from + down * on_surface) => 0.0,
             None => way,
         }
     }

@@ -348,7 +348,8 @@ pub(super) fn find_border(surface: &Surface, from: Point2, direction: Vector2) -
         let divisor = direction.perp(&border);
         let way = (edge.start - from).perp(&border) / divisor;
         let on_border = (edge.start - from).perp(&direction) / divisor;
-        (divisor != 0.0 && way >= 0.0 && (0.0..=1.0).contains(&on_border)).then_some(way)
+        // Outer borders run counter-clockwise and those of holes clockwise, so that only edges that are left count.
+        (divisor > 0.0 && way >= 0.0 && (0.0..=1.0).contains(&on_border)).then_some(way)
     };
     (surface.outline.edges())
         .filter_map(leaves)

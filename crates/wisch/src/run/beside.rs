@@ -12,6 +12,8 @@ const AT_EDGE: f64 = 0.03;
 const ALL_AT_EDGE: f64 = 0.01;
 /// Largest usual error of a detection, in standard deviations [1].
 const DEVIATIONS: f64 = 5.0;
+/// Distance from which most detections show a wrong unit or frame, over the size of the surface [1].
+const FAR_OFF: f64 = 10.0;
 
 /// Returns an observation without the detections beside the surface, and a remark on them if there are any. `error`:
 /// standard deviation of a detection's position [m]. `is_first`: whether the observation precedes the first round, so that
@@ -50,7 +52,12 @@ pub(super) fn keep_on_surface(
     let farthest = distances.iter().copied().fold(0.0, f64::max);
     let bounds = Bounds2::from_points(outline.outer().iter().copied());
     let width = bounds.map_or(0.0, |bounds| bounds.size().norm());
-    let far = if is_first { most } else { width.max(most) };
+    // Dirt that was swept off lies near the surface, and a table around it has dirt of its own.
+    let far = if is_first && beyond(most) == of {
+        most
+    } else {
+        (FAR_OFF * width).max(most)
+    };
     if 2 * beyond(far) > of {
         return Err(RunError::DetectionsElsewhere {
             surface: surface.name.clone(),

@@ -218,6 +218,7 @@ fn an_observation_that_contradicts_touch_raises_a_doubt_and_widens_the_interval(
                 seen,
                 left,
                 believed,
+                ..
             } => Some((*seen, left[1] <= most as f64, believed[1] <= 80.0)),
             _ => None,
         });

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::Path;
-use wisch::geometry::{Atlas, MAX_CHARTS, Mesh, Point2, SheetConfig, SheetError};
+use wisch::geometry::{Atlas, MAX_CHARTS, Mesh, Point2, Sheet, SheetConfig, SheetError};
 use wisch_report::{PatchesInput, patches_drawing};
 
 /// The schema of the object.
@@ -83,8 +83,11 @@ pub fn split_surface(args: &SurfaceSplitArgs, global: &GlobalArgs) -> Result<Out
     let charts = atlas.iter().flat_map(Atlas::charts);
     let measure = |chart| Measures::new(chart, args.mesh.tool_size, args.mesh.compression_depth_m);
     let measures = charts.map(measure).collect();
-    let first = atlas.iter().flat_map(Atlas::charts).next();
-    let smoothing = first.and_then(|chart| remark_on_smoothing(chart, &args.mesh, &read.config));
+    let by_smoothing =
+        |one: &&Sheet, other: &&Sheet| one.smoothed_by().total_cmp(&other.smoothed_by());
+    let most_smoothed = (atlas.iter().flat_map(Atlas::charts)).max_by(by_smoothing);
+    let smoothing =
+        most_smoothed.and_then(|chart| remark_on_smoothing(chart, &args.mesh, &read.config));
     read.notes.extend(smoothing);
     let split = SplitMesh {
         args: &args.mesh,

@@ -30,6 +30,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let text = std::str::from_utf8(bytes).map_err(|_| MeshError::Syntax {
         reason: "the file is not text".to_owned(),
     })?;
+    let text = text.trim_start_matches('\u{feff}');
     let mut lines = text.lines().zip(1..).peekable();
     let mut header = Header::default();
     while let Some(&(line, number)) = lines.peek() {
@@ -40,6 +41,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
             continue;
         }
         if !key.starts_with(|c: char| c.is_ascii_alphabetic()) || key == "nan" {
+            if number == 1 {
+                let reason = "it begins with numbers and not with the header of an Esri ASCII raster (ncols, nrows, …); a point cloud has to be meshed first";
+                return Err(MeshError::Syntax {
+                    reason: reason.to_owned(),
+                });
+            }
             break;
         }
         header
@@ -323,5 +330,11 @@ mod tests {
             assert!(error.to_string().contains(expected), "{error}");
         }
         assert!(parse(b"\xff\xfe").is_err() && parse(b"").is_err());
+        let cloud = parse(b"0.1 0.2 0.3\n0.2 0.2 0.3\n").unwrap_err();
+        assert!(
+            cloud.to_string().contains("a point cloud has to be meshed"),
+            "{cloud}"
+        );
+        assert!(parse(format!("\u{feff}{good}").as_bytes()).is_ok());
     }
 }

@@ -211,23 +211,21 @@ impl Search<'_> {
         let Err(refused) = whole.check() else {
             return Ok(vec![(all, whole)]);
         };
-        let halves = self.halve(&all).ok_or(refused.clone())?;
-        let joined = self.join(halves);
+        let joined = self.halve(&all).map(|halves| self.join(halves));
+        let fewest = joined.as_ref().map_or(MAX_EQUAL_CELLS, Vec::len);
         let graphs = [self.graph.clone(), self.graph.with_factors(self.bends())];
         // Fewer cells than half of the estimate have never sufficed.
         let least = (whole.estimate_charts() / 2).max(2);
-        for count in least..=joined.len().min(MAX_EQUAL_CELLS).min(most) {
+        for count in least..=fewest.min(MAX_EQUAL_CELLS).min(most) {
             for graph in &graphs {
                 if let Some(division) = self.unroll_all(graph.divide(count)) {
                     return Ok(division);
                 }
             }
         }
-        if joined.len() <= most {
-            Ok(joined)
-        } else {
-            Err(refused)
-        }
+        joined
+            .filter(|division| division.len() <= most)
+            .ok_or(refused)
     }
 
     fn unroll(&self, cell: &[u32]) -> Option<Sheet> {

@@ -85,13 +85,8 @@ impl Prepared {
         };
         let fits = fit_vertices(&surface, &samples, config.tool_radius, longest);
         let given = surface.vertices.clone();
-        // A surface with a triangle has a vertex.
-        let (mut smoothed_by, mut smoothed_at) = (0.0, given[0]);
+        let (smoothed_by, smoothed_at) = find_most_smoothed(&given, &fits);
         for (vertex, fit) in surface.vertices.iter_mut().zip(&fits) {
-            let moved = (*vertex - fit.point).norm();
-            if moved > smoothed_by {
-                (smoothed_by, smoothed_at) = (moved, *vertex);
-            }
             *vertex = fit.point;
         }
         Ok(Self {
@@ -116,16 +111,31 @@ impl Prepared {
         let (surface, origins) = self.surface.select(triangles).with_single_fans();
         let origin = |&origin: &u32| used[origin as usize] as usize;
         let origins: Vec<usize> = origins.iter().map(origin).collect();
+        let given: Vec<Point3> = origins.iter().map(|&i| self.given[i]).collect();
+        let fits: Vec<LocalFit> = origins.iter().map(|&i| self.fits[i]).collect();
+        let (smoothed_by, smoothed_at) = find_most_smoothed(&given, &fits);
         Self {
             surface,
-            given: origins.iter().map(|&i| self.given[i]).collect(),
-            fits: origins.iter().map(|&i| self.fits[i]).collect(),
+            given,
+            fits,
             survey: self.survey.clone(),
-            smoothed_by: self.smoothed_by,
-            smoothed_at: self.smoothed_at,
+            smoothed_by,
+            smoothed_at,
             is_beyond: Vec::new(),
         }
     }
+}
+
+/// Returns the largest distance by which smoothing moves a vertex [m], and that vertex; a surface has at least one.
+fn find_most_smoothed(given: &[Point3], fits: &[LocalFit]) -> (f64, Point3) {
+    let moved =
+        (given.iter().zip(fits)).map(|(vertex, fit)| ((vertex - fit.point).norm(), *vertex));
+    moved.fold(
+        (0.0, given[0]),
+        |most, one| {
+            if one.0 > most.0 { one } else { most }
+        },
+    )
 }
 
 /// The error of a surface with too many triangles.

@@ -69,6 +69,9 @@ impl MotionRun<'_> {
         mut result: impl FnMut(&TrajectoryAction) -> Option<GoalStatusEnum>,
     ) -> Turned<bool> {
         let _ = self.robot.action.cancel_goal(id);
+        if let Some(goal) = &mut self.goal {
+            goal.is_ending = true;
+        }
         let status = self.wait("the end of a canceled goal", ANSWER, |run| {
             result(&run.robot.action)
         })?;

@@ -110,6 +110,13 @@ impl Activation {
         }
     }
 
+    /// Whether a particle was ever touched.
+    pub(super) fn is_touched(&self, particle: usize) -> bool {
+        self.thresholds
+            .get(particle)
+            .is_none_or(|threshold| threshold.draws > 0)
+    }
+
     /// Begins another log in which the share `slip` of the particles slips past the tool [1]; every touch is a new
     /// contact.
     pub(super) fn begin_log(&mut self, slip: f64) {

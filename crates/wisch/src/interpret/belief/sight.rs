@@ -257,24 +257,35 @@ impl ObservationUpdate<'_> {
             visible.count() as f64
         };
         let detected = |count: f64| self.sight.detection * count + self.false_alarms();
-        let range = |count: &dyn Fn(&ParticleDistribution) -> f64| {
-            let counts = belief
-                .members()
-                .iter()
-                .map(|member| detected(count(member)));
+        let untouched = |member: usize| {
+            let Some(state) = belief.states.get(member) else {
+                return 0.0;
+            };
+            let particles = belief.members()[member].iter().enumerate();
+            let never = particles.filter(|(i, (place, fate))| {
+                fate.is_on_surface() && self.is_visible(*place) && !state.activation.is_touched(*i)
+            });
+            never.count() as f64
+        };
+        let range = |count: &dyn Fn(usize) -> f64| {
+            let counts = (0..belief.members().len()).map(|member| detected(count(member)));
             let counts = counts.zip(belief.weights().iter().copied());
             let counts = PerformanceDistribution::from_shares(counts, 0.0);
             [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
         };
         let seen = self.observation.detections.len();
-        let left = range(&visible);
+        let left = range(&|member| visible(&belief.members()[member]));
         let [least, most] = left;
         let is_far = (seen as f64) < least - FAR * self.count_error(least)
             || seen as f64 > most + FAR * self.count_error(most);
         (is_far || self.reweight(belief).1).then(|| Doubt::ObservationContradicts {
             seen,
             left,
-            believed: range(&|member| member.len() as f64),
+            believed: range(&|member| belief.members()[member].len() as f64),
+            untouched: {
+                let [least, _] = range(&untouched);
+                least - FAR * self.count_error(least)
+            },
         })
     }
 

@@ -73,6 +73,7 @@ impl fmt::Display for Doubt {
                 seen,
                 left,
                 believed,
+                ..
             } => write_contradiction(f, seen, left, believed),
             Self::DetectionsBeside {
                 left_out,

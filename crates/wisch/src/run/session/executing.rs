@@ -2,6 +2,7 @@
 
 use super::{Session, Stage, State};
 use crate::follow::Audit;
+use crate::geometry::Vector3;
 use crate::interpret::{
     InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
 };
@@ -68,8 +69,9 @@ impl Session<'_> {
         let mut is_broken_off = false;
         let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
+        let hovers = planned.task.interaction.hovers();
         let executed = executor.execute(&order, &mut |sample| {
-            let mut taken = take_touch(&mut interpreter, sample).map_err(RunError::from);
+            let mut taken = take_touch(&mut interpreter, sample, hovers).map_err(RunError::from);
             if at.is_empty() && !sample.positions.is_empty() {
                 taken = taken.and_then(|()| check_first_sample(sample, &planned, tolerance));
             }
@@ -169,12 +171,15 @@ fn keep_execution(
     })
 }
 
-/// Passes a sample to the interpreter: as touch, or as one without a usable wrench.
+/// Passes a sample to the interpreter: as touch, or as one without a usable wrench. A tool that `hovers` is interpreted by its
+/// poses alone.
 fn take_touch(
     interpreter: &mut Interpreter,
     sample: &TelemetrySample<'_>,
+    hovers: bool,
 ) -> Result<(), InterpretError> {
-    if !sample.status.wrench.is_usable() {
+    let is_usable = sample.status.wrench.is_usable();
+    if !is_usable && !hovers {
         let mut unusable = UnusableWrenches::default();
         unusable.add(sample.status.wrench);
         interpreter.skip(unusable);
@@ -183,6 +188,10 @@ fn take_touch(
     interpreter.push(&TouchSample {
         time: sample.time,
         world_from_tool: sample.world_from_tool,
-        force: sample.external.force,
+        force: if is_usable {
+            sample.external.force
+        } else {
+            Vector3::zeros()
+        },
     })
 }
