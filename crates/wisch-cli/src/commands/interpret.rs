@@ -456,7 +456,7 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
         );
     }
     let advice = match record.verdict {
-        UNKNOWN => "; add a camera observation with --observation",
+        UNKNOWN if record.detections.is_none() => "; add a camera observation with --observation",
         _ => "",
     };
     format!(
