@@ -8,7 +8,7 @@ use wisch::interpret::Event;
 
 /// Maximum number of events in the table.
 const MAX_EVENTS: usize = 500;
-const STYLE: &str = "table.facts th { text-align: left; padding-right: 1.5em; font-weight: normal; vertical-align: top; } \
+const STYLE: &str = "table.facts th { text-align: left; padding-right: 1.5em; white-space: nowrap; font-weight: normal; vertical-align: top; } \
                      figure { margin: 1.5em 0; } figure svg { max-width: 100%; height: auto; }";
 
 /// Input of the page of a log.

@@ -53,8 +53,9 @@ pub fn patches_drawing(input: &PatchesInput) -> String {
     panel.standalone(input.title, what)
 }
 
-const STYLE: &str = "table.facts th { padding-right: 1.5em; } table.facts td, table.patches td.text { text-align: left; } \
-                     table.patches { max-width: none; } table.patches th { padding-right: 1em; } figure svg { max-width: 100%; height: auto; }";
+const STYLE: &str = "table.facts th { padding-right: 1.5em; white-space: nowrap; } table.facts td { text-align: left; } \
+                     table.patches { max-width: none; } table.patches th, table.patches td { padding-right: 1.5em; } \
+                     table.patches td.words { text-align: left; } table.patches th.number { text-align: right; } figure svg { max-width: 100%; height: auto; }";
 
 /// Input of the page of a command over all patches.
 pub struct PatchesPageInput<'a> {
@@ -104,12 +105,12 @@ pub fn patches_page(input: &PatchesPageInput) -> String {
             }
         }
         figure { (PreEscaped(patches_drawing(&outlines))) }
-        p class="note" { "The surface unrolled as one piece, which stretches it. x and y are those of that chart." }
         div class="scroll" {
             table class="patches" {
                 thead { tr {
-                    th scope="col" { "patch" } th scope="col" { "area [m²]" } th scope="col" { "goal" }
-                    th scope="col" { "performance" } th scope="col" { "strokes" } th scope="col" { "in contact [m]" }
+                    th scope="col" { "patch" } th scope="col" class="number" { "area [m²]" } th scope="col" { "goal" }
+                    th scope="col" { "performance" } th scope="col" class="number" { "strokes" }
+                    th scope="col" class="number" { "in contact [m]" }
                 } }
                 tbody {
                     @for (row, number) in input.patches.iter().zip(1..) {
@@ -123,10 +124,10 @@ pub fn patches_page(input: &PatchesPageInput) -> String {
                             td { (format!("{:.4}", row.area)) }
                             @match &row.found {
                                 Some(found) => {
-                                    td class="text" { (found.goal) } td class="text" { (found.performance) }
+                                    td class="words" { (found.goal) } td class="words" { (found.performance) }
                                     td { (found.strokes) } td { (format!("{:.2}", found.distance)) }
                                 },
-                                None => td class="text" colspan="4" { "not wiped" },
+                                None => td class="words" colspan="4" { "not wiped" },
                             }
                         }
                     }
