@@ -7,10 +7,7 @@ use crate::gravity::{gravity_remark, let_slide};
 use crate::kept_files::KeptFiles;
 use crate::particles::{ParticleSource, read_observed_image, read_observed_list};
 use crate::robots::Robot;
-use crate::task_file::{
-    Intent, TaskFile, points_remark, smoothing_remark, surface_remarks, tool_remark,
-    underside_remark, unit_remarks,
-};
+use crate::task_file::{Intent, TaskFile, task_remarks};
 use crate::up_axis::up_axis_remark;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -319,12 +316,7 @@ pub fn parse_task(
         Some(steep) => Some(steep.to_string()),
         None => gravity_remark(&task, &knowledge),
     });
-    assumptions.extend(surface_remarks(&task));
-    assumptions.extend(smoothing_remark(&task));
-    assumptions.extend(tool_remark(&task));
-    assumptions.extend(underside_remark(&task));
-    assumptions.extend(points_remark(&task));
-    assumptions.extend(unit_remarks(&task));
+    assumptions.extend(task_remarks(&task));
     let simulation = file.simulation(&task, &knowledge, &mut |path| taken_in(path, files(path)))?;
     let mut up_axes = up_axes.into_inner();
     up_axes.sort();

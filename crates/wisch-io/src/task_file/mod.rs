@@ -7,9 +7,11 @@ mod deserialize;
 mod error;
 mod execution;
 mod execution_tables;
+mod extent;
 mod mobility;
 mod mount;
 mod outline;
+mod remarks;
 mod resolve;
 mod tables;
 #[cfg(test)]
@@ -18,10 +20,10 @@ mod tree;
 mod values;
 
 pub use error::TaskError;
-pub use resolve::{ReadFile, check_tool_extent, find_underside_offset};
-pub(crate) use resolve::{
-    points_remark, smoothing_remark, surface_remarks, tool_remark, underside_remark, unit_remarks,
-};
+pub use extent::check_tool_extent;
+pub use remarks::find_underside_offset;
+pub(crate) use remarks::task_remarks;
+pub use resolve::ReadFile;
 
 use crate::particles::ParticleSource;
 use definitions::Definitions;

@@ -1,5 +1,6 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
+use super::extent::{check_object, check_tool};
 use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,24 +20,8 @@ pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 
 /// Number of segments around cylinders, spheres and capsules; the error is 2 mm at a radius of 1 m.
 const SEGMENTS: u32 = 48;
-/// Limits of the longest side of a scene object: minimum, maximum, and usual maximum [m].
-const OBJECT_EXTENT: [f64; 2] = [1e-3, 20.0];
-const USUAL_OBJECT: f64 = 5.0;
-/// Limits of the longest side of a tool: minimum, maximum, and usual minimum [m].
-const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
-const USUAL_TOOL: f64 = 0.03;
 /// Largest number of particles of a film that runs: each step compares the particles of a column with each other.
 const MAX_FILM: usize = 50_000;
-/// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
-/// the tool's collision sphere [1].
-const BESIDE_CENTRE: f64 = 0.25;
-/// Distance of a tool's underside from z = 0 of its frame above which a remark is made: at least this [m], and this share of
-/// the tool's compression [1].
-const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
-/// Distance of the points of a treated surface above which a remark is made, over the length of the tool across its lanes [1].
-const WIDEST_SPACING: f64 = 0.2;
-/// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
-const PER_SURFACE: f64 = 10.0;
 
 impl TaskFile {
     /// Returns the task for an action with a tool on a medium: looks up the tool's mesh and interaction, reads the scene's
@@ -100,11 +85,7 @@ impl TaskFile {
             })?,
         };
         if let ToolMesh::InKnowledge(file) | ToolMesh::BesideTask(file) = &entry.mesh {
-            let advice = "save the mesh in metres";
-            let usual = [USUAL_TOOL, TOOL_EXTENT[1]];
-            scale_of_mesh(&mesh, (file, tool_at), TOOL_EXTENT, usual, |_| {
-                advice.to_owned()
-            })?;
+            check_tool(&mesh, (file, tool_at))?;
         }
         let tool = Tool {
             mount: self.mount.or(entry.grip.map(Mount::Grip)),
@@ -204,10 +185,7 @@ impl TaskFile {
             at: at.clone(),
             error,
         })?;
-        let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
-        scale_of_mesh(&mesh, (file, at), OBJECT_EXTENT, usual, |metres| {
-            format!("use scale = {}", rounded(scale * metres))
-        })?;
+        check_object(&mesh, (file, at), *scale)?;
         let config = SheetConfig {
             tool_radius: tool.collision_radius(),
             choice: *choice,
@@ -382,34 +360,6 @@ fn scaled_mesh(mesh: Mesh, scale: f64) -> Result<Mesh, MeshError> {
     Mesh::new(vertices, mesh.triangles().to_vec())
 }
 
-/// Whether the longest side of a mesh is within its limits [m]; if not, the error says in which unit it probably is, one in which it
-/// is as long as is usual, and by `how` what to do about a factor to metres.
-fn scale_of_mesh(
-    mesh: &Mesh,
-    (file, at): (&str, &Place),
-    limits: [f64; 2],
-    usual: [f64; 2],
-    how: impl FnOnce(f64) -> String,
-) -> Result<(), TaskError> {
-    let [least, most] = limits;
-    let extent = mesh.extent();
-    if (least..=most).contains(&extent) {
-        return Ok(());
-    }
-    let [usually_least, usually_most] = usual;
-    let advice = match LikelyUnit::guess(extent, usually_least, usually_most) {
-        Some(unit) => format!("{unit}; {}", how(unit.metres)),
-        None => "correct its scale".to_owned(),
-    };
-    Err(TaskError::MeshScale {
-        at: at.clone(),
-        file: file.to_owned(),
-        extent: rounded(extent),
-        limits,
-        advice,
-    })
-}
-
 /// The last mesh that was divided, because a command over all patches loads a task for each.
 static LAST_DIVISION: Mutex<Option<(Mesh, SheetConfig, Arc<Atlas>)>> = Mutex::new(None);
 
@@ -428,194 +378,6 @@ fn divide(mesh: &Mesh, config: &SheetConfig) -> Result<Arc<Atlas>, SheetError> {
     Ok(atlas)
 }
 
-/// Formats a number without rounding errors in its last digits.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.4e}").parse().unwrap_or(number)
-}
-
-/// Returns remarks on what of a mesh is the surface: the part that was taken, and a surface smaller than the tool.
-pub(crate) fn surface_remarks(task: &Task) -> Vec<String> {
-    let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
-        return Vec::new();
-    };
-    let (name, survey) = (&task.surface.name, mesh.sheet().survey());
-    let mut remarks = Vec::new();
-    if let Some(patch) = mesh.patch() {
-        let seams = if task.action.treats() {
-            "strokes reach over the seams, where passes and coats on the other patches are not counted"
-        } else {
-            "dirt that is pushed over a seam counts as lost"
-        };
-        remarks.push(format!(
-            "surface {name:?} is patch {} of {} of its mesh, {:.3} of {:.3} m2; the robot avoids the other patches, and {seams}",
-            patch.index + 1,
-            patch.areas().count(),
-            mesh.sheet().area(),
-            patch.areas().sum::<f64>()
-        ));
-    }
-    let all: f64 = survey.part_areas.iter().sum();
-    let parts = survey.part_areas.len();
-    if parts > 1 {
-        let taken = survey.part_areas[survey.taken_part];
-        remarks.push(format!(
-            "surface {name:?} is 1 of {parts} parts of its mesh, {taken:.3} of {all:.3} m2; surface.mesh.seed_point_m takes another part, and the rest is no obstacle"
-        ));
-    }
-    if survey.side_triangles < survey.part_triangles {
-        remarks.push(format!(
-            "surface {name:?} is the side of its mesh that faces the tool, {:.3} of {all:.3} m2; the rest is no obstacle",
-            (mesh.patch()).map_or(mesh.sheet().area(), |patch| patch.areas().sum())
-        ));
-    }
-    let size = |bounds: Option<Bounds2>| bounds.map_or(0.0, |bounds| bounds.size().max());
-    let surface = size(Bounds2::from_points(
-        task.surface.outline.outer().iter().copied(),
-    ));
-    let tool = size(task.tool.footprint.bounds());
-    if surface < tool {
-        remarks.push(format!(
-            "surface {name:?} is {surface:.4} m long, less than the tool with {tool:.4} m: check its scale"
-        ));
-    }
-    remarks
-}
-
-/// Returns a remark on a mesh of whose shape smoothing removed more than the tool makes up for.
-pub(crate) fn smoothing_remark(task: &Task) -> Option<String> {
-    let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
-        return None;
-    };
-    let (sheet, depth) = (mesh.sheet(), task.interaction.compression_depth_m);
-    let at = sheet.smoothed_at();
-    sheet.is_smoothed_beyond(depth).then(|| {
-        format!(
-            "surface {:?}: smoothing to the scale of the tool moved its mesh by up to {:.1} mm, at ({:.3}, {:.3}, {:.3}) m of the file; the tool makes up for {:.1} mm. Plan, prediction, estimate and simulation take the smoothed surface: contact with the grooves or ridges of the mesh is not predicted, and the true performance may be lower. Take a smaller or softer tool, or remove these shapes from the mesh",
-            task.surface.name,
-            1e3 * sheet.smoothed_by(),
-            at.x,
-            at.y,
-            at.z,
-            1e3 * Sheet::limit_smoothing(depth)
-        )
-    })
-}
-
-/// Returns a remark on a tool whose contact area has its middle beside the tool centre point.
-pub(crate) fn tool_remark(task: &Task) -> Option<String> {
-    let tool = &task.tool;
-    let middle = tool.footprint.bounds()?.center();
-    let aside = middle.coords.norm();
-    (aside > BESIDE_CENTRE * tool.collision_radius()).then(|| {
-        format!(
-            "tool {:?}: the middle of its contact area lies at ({:.0}, {:.0}) mm of its origin, the tool centre point. Objects are avoided by {:.0} mm about this point only, and the offset of the surface is estimated as if the tool pressed there: move the origin of the mesh to the middle of the contact area",
-            tool.name,
-            1e3 * middle.x,
-            1e3 * middle.y,
-            1e3 * tool.collision_radius()
-        )
-    })
-}
-
-/// Largest distance of a tool's underside from z = 0 of its frame that needs no remark [m].
-fn limit_underside(compression_depth: f64) -> f64 {
-    let [least, share] = OFF_CONTACT_PLANE;
-    least.max(share * compression_depth)
-}
-
-/// Returns the height of the lowest point of a tool's mesh over z = 0 of its file \[m\], if it is farther from there than 1 mm and
-/// than a tenth of the compression \[m\]; `None` for a mesh that lies as it should.
-///
-/// `gap`: by how much the mesh was raised, for a tool that hovers \[m\].
-pub fn find_underside_offset(mesh: &Mesh, gap: f64, compression_depth: f64) -> Option<f64> {
-    let (low, _) = mesh.bounds();
-    let offset = low.z - gap;
-    (offset.abs() > limit_underside(compression_depth)).then_some(offset)
-}
-
-/// Whether the longest side of a tool's mesh is within the limits of tasks, 5 mm to 3 m.
-///
-/// # Errors
-/// If it is not: the length, the limits, and the unit in which the mesh probably is.
-pub fn check_tool_extent(mesh: &Mesh) -> Result<(), String> {
-    let [least, most] = TOOL_EXTENT;
-    let extent = mesh.extent();
-    if (least..=most).contains(&extent) {
-        return Ok(());
-    }
-    let unit = LikelyUnit::guess(extent, USUAL_TOOL, most);
-    let advice = unit.map_or("correct its scale".to_owned(), |unit| {
-        format!("{unit}; save the mesh in metres")
-    });
-    Err(format!(
-        "the mesh is {} m long, expected {least} m to {most} m: {advice}",
-        rounded(extent)
-    ))
-}
-
-/// Returns a remark on a tool whose mesh does not begin at z = 0 of its frame, which poses in contact hold on the surface.
-pub(crate) fn underside_remark(task: &Task) -> Option<String> {
-    let (tool, interaction) = (&task.tool, &task.interaction);
-    let (gap, depth) = (interaction.gap_m, interaction.compression_depth_m);
-    let offset = find_underside_offset(&tool.mesh, gap, depth)?;
-    let (off, limit) = (1e3 * offset.abs(), 1e3 * limit_underside(depth));
-    let (side, consequence) = if offset > 0.0 {
-        (
-            "above",
-            format!("the tool stays {off:.1} mm above the surface"),
-        )
-    } else {
-        (
-            "below",
-            format!(
-                "the tool is pressed {off:.1} mm too deep, and the robot may avoid the surface as an obstacle"
-            ),
-        )
-    };
-    Some(format!(
-        "tool {:?}: the lowest point of its mesh lies {off:.1} mm {side} z = 0 of the file, where at most {limit:.1} mm are expected. Poses hold z = 0 at the contact plane, so {consequence}: move the mesh in the file until its underside lies at z = 0",
-        tool.name
-    ))
-}
-
-/// Returns a remark on points of a treated surface that are so few that the tool passes between them, or along a border.
-pub(crate) fn points_remark(task: &Task) -> Option<String> {
-    let width = task.tool.footprint.bounds()?.size().max();
-    let count = task.particles.len();
-    let area = task.surface.outline.area();
-    let spacing = (area / count.max(1) as f64).sqrt();
-    let limit = WIDEST_SPACING * width;
-    (task.action.treats() && spacing > limit).then(|| {
-        format!(
-            "the performance is that of {count} points, which lie {spacing:.3} m apart, and not of the surface between them: lanes follow the points, so that strips of up to {:.3} m along the borders may stay untreated. The tool is {width:.3} m wide: multiply particles.count by at least {:.1}",
-            0.5 * spacing,
-            // Rows and columns of points are whole.
-            1.2 * (spacing / limit).powi(2)
-        )
-    })
-}
-
-/// Returns remarks on scene meshes that are probably in other units: objects much longer than the surface.
-pub(crate) fn unit_remarks(task: &Task) -> Vec<String> {
-    let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
-    let surface = bounds.map_or(0.0, |bounds| bounds.size().max());
-    let limit = (PER_SURFACE * surface).max(USUAL_OBJECT);
-    let large = (task.scene.iter()).filter(|object| object.mesh.extent() > limit);
-    large
-        .map(|object| {
-            let extent = object.mesh.extent();
-            let unit = LikelyUnit::guess(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
-            let unit = unit.map_or(String::new(), |unit| {
-                format!("; if it should be smaller, {unit}")
-            });
-            format!(
-                "scene object {:?} is {extent:.1} m long, the surface {surface:.2} m{unit}",
-                object.name
-            )
-        })
-        .collect()
-}
-
 impl ObjectRecord {
     fn mesh(&self, assets: &mut ReadFile<'_>) -> Result<Mesh, TaskError> {
         let built = match &self.shape {
@@ -626,10 +388,7 @@ impl ObjectRecord {
             Shape::Mesh { at, file, scale } => {
                 let mesh = scaled_mesh(parsed_mesh(assets, at, file)?, *scale);
                 if let Ok(mesh) = &mesh {
-                    let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
-                    scale_of_mesh(mesh, (file, at), OBJECT_EXTENT, usual, |metres| {
-                        format!("use scale = {}", rounded(scale * metres))
-                    })?;
+                    check_object(mesh, (file, at), *scale)?;
                 }
                 mesh
             }
