@@ -250,7 +250,7 @@ fn used_paths(text: &str) -> Vec<String> {
 
 /// What the audit of a motion may know: data, and what describes the robot, its cell and the task.
 const AUDITED: [&str; 28] = [
-    "crate::digits::apart_from",
+    "crate::digits::format_beside_limit",
     "crate::follow::AllowedContact",
     "crate::follow::FollowConfig",
     "crate::follow::FollowError",

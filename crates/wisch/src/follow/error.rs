@@ -1,7 +1,7 @@
 //! Reasons why a plan cannot be followed at all. Nodes out of reach are no error but part of the result.
 
 use super::TimingError;
-use crate::digits::apart_from;
+use crate::digits::format_beside_limit;
 use crate::geometry::MeshError;
 use crate::robot::RobotError;
 use crate::source_location::UnknownName;
@@ -32,7 +32,7 @@ pub enum FollowError {
     /// The robot is in collision before it has moved.
     #[error(
         "the robot cannot start: in its ready posture {a:?} is too close to {b:?}: clearance {} m, expected at least {limit} m; move the robot or the scene, or change the ready posture",
-        apart_from(*limit, *distance, 4)
+        format_beside_limit(*limit, *distance, 4)
     )]
     StartBlocked {
         /// First body.

@@ -107,6 +107,10 @@ mod tests {
         let doubt = doubt.unwrap().to_string();
         assert!(doubt.ends_with("expected metres in the frame of the believed surface, unless the dirt was wiped off it"), "{doubt}");
         assert_eq!(kept(&[], true), Ok((0, None)));
+        // On the floor beside a clean board, and on the table around a board with dirt of its own.
+        assert_eq!(kept(&[[0.66, 0.0]], false).unwrap().0, 0);
+        let around = [[0.0, 0.0], [0.1, 0.0], [0.3, 0.0], [0.0, 0.4], [-0.4, 0.1]];
+        assert_eq!(kept(&around, true).unwrap().0, 2);
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub use wisch_robot::timing::{
     MotionEnd, RateKind, TrajectoryCheckConfig, TrajectoryFault, trajectory_faults,
 };
 
-use crate::digits::apart_from;
+use crate::digits::format_beside_limit;
 use crate::follow::{
     AllowedContact, FollowConfig, FollowError, Followed, GRIP_TOLERANCE, GripDeviation, JointLimit,
     JointLimits, JointPath, LEAN_TOLERANCE, LineDeviation, Motion, Phase, Trajectory,
@@ -71,7 +71,7 @@ pub enum MotionFault {
     /// and contact.
     #[error(
         "at {time:.3} s: joint {joint:?} needs {} {unit} to carry and move the robot, more than its limit of {limit} {unit}",
-        apart_from(*limit, *effort, 2)
+        format_beside_limit(*limit, *effort, 2)
     )]
     Effort {
         /// Time \[s\].
@@ -169,7 +169,7 @@ pub enum MotionFault {
     /// The tool is faster than the task allows.
     #[error(
         "at {time:.3} s: the tool moves at {} m/s, more than {limit} m/s, the limit {of}",
-        apart_from(*limit, *speed, 4)
+        format_beside_limit(*limit, *speed, 4)
     )]
     TooFast {
         /// Time at which it is fastest \[s\].

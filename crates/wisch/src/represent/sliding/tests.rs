@@ -55,6 +55,19 @@ fn dirt_rests_up_to_the_angle_of_friction_and_slides_off_the_lower_edge_beyond_i
 }
 
 #[test]
+fn dirt_on_the_upper_border_slides_over_the_whole_surface() {
+    // The board leans towards −x, so that its upper border is at one of x = ±0.3.
+    let surface = leaning(0.7);
+    for x in [-0.3, 0.3] {
+        let on_border = Point2::new(x, 0.1);
+        let is_upper = height(&surface, on_border) > height(&surface, Point2::origin());
+        let end = slide(0.3, 0.2).find_end(&surface, on_border).unwrap();
+        assert_eq!(end.place.x.signum() == x.signum(), !is_upper);
+        assert_ne!(end.fate, Fate::FALLEN, "{end:?}");
+    }
+}
+
+#[test]
 fn dirt_rests_above_an_object_and_falls_off_walls_and_ceilings() {
     let surface = leaning(0.7);
     let bar = Mesh::cuboid(Vector3::new(0.02, 0.4, 0.02)).unwrap();

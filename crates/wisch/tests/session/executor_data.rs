@@ -1,0 +1,308 @@
+//! What executors state: positions, velocities, poses and observations that contradict what is known.
+
+use super::{Toy, loaded, robot};
+use nalgebra::Translation3;
+use std::ops::ControlFlow;
+use wisch::geometry::Point2;
+use wisch::interpret::{Doubt, TouchSample};
+use wisch::represent::{Observation, Task};
+use wisch::run::{
+    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, RobotState, RunEvent, SampleSink,
+    Stage, TelemetrySample, ignore_events,
+};
+
+/// Reports its first sample late, with the joints in the opposite order or in their own.
+struct Late {
+    is_reversed: bool,
+}
+
+impl Executor for Late {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        let at = order.setpoint(3.0).expect("it moves");
+        let mut positions = at.positions.clone();
+        if self.is_reversed {
+            positions.reverse();
+        }
+        let touch = TouchSample::new(at.time, at.world_from_tool, order.task.surface_reaction());
+        let sample = TelemetrySample {
+            positions: &positions,
+            ..TelemetrySample::from_touch(&touch, at.motion, at.phase)
+        };
+        let _ = sink(&sample);
+        Err(ExecutorError::new("it was accepted"))
+    }
+}
+
+#[test]
+fn a_first_sample_is_checked_at_any_time() {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (is_reversed, expected) in [
+        (true, "from its motion until then"),
+        (false, "it was accepted"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Late { is_reversed }, &mut ignore_events);
+        let error = error.expect_err("it fails").to_string();
+        assert!(error.contains(expected), "{is_reversed}: {error}");
+    }
+}
+
+#[test]
+fn velocities_are_checked_without_positions() {
+    /// Measures velocities alone.
+    struct Turning(Vec<f64>);
+
+    impl Executor for Turning {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            Ok(Some(RobotState {
+                positions: Vec::new(),
+                velocities: self.0.clone(),
+            }))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (velocities, expected) in [
+        (
+            vec![0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0],
+            "moves at 0.500 rad/s",
+        ),
+        (
+            vec![0.0; 3],
+            "reported 3 joint velocities before the motion, expected 7",
+        ),
+        (vec![0.0; 7], "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Turning(velocities), &mut ignore_events);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+#[test]
+fn a_motion_does_not_begin_while_the_robot_moves() {
+    /// Is where the motion begins, but moves.
+    struct Moving(f64);
+
+    impl Executor for Moving {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            let positions = ready();
+            let mut velocities = vec![0.0; positions.len()];
+            velocities[1] = self.0;
+            Ok(Some(RobotState {
+                positions,
+                velocities,
+            }))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (velocity, expected) in [
+        (
+            -0.3,
+            "moves at 0.300 rad/s, more than the limit of 0.02 rad/s for a robot at rest",
+        ),
+        (0.019, "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Moving(velocity), &mut ignore_events);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{velocity}: {error}");
+    }
+}
+
+/// The posture in which the first motion begins.
+fn ready() -> Vec<f64> {
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    session
+        .run_until(Stage::Followed, &mut NoExecutor, &mut ignore_events)
+        .expect("a motion");
+    let planned = session.planned_round().expect("a motion");
+    planned.cell.ready_posture().to_vec()
+}
+
+#[test]
+fn a_motion_that_begins_elsewhere_is_not_executed() {
+    /// Says that it stands somewhere else than it is ready.
+    struct Elsewhere(f64);
+
+    impl Executor for Elsewhere {
+        fn execute(
+            &mut self,
+            _: &MotionOrder<'_>,
+            _: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            Err(ExecutorError::new("it was executed"))
+        }
+
+        fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+            let mut state = ready();
+            state[2] += self.0;
+            Ok(Some(state.into()))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    for (off, expected) in [
+        (
+            2.88,
+            "is 2.880 rad from the start of the motion, more than the limit of 0.05 rad (execution.start_rad), so the motion \
+             is not executed; move the joint to ",
+        ),
+        (-0.051, "is 0.051 rad from the start"),
+        (0.049, "it was executed"),
+    ] {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        let error = session.run(&mut Elsewhere(off), &mut ignore_events);
+        let error = error.expect_err("it is refused").to_string();
+        assert!(error.contains(expected), "{off}: {error}");
+    }
+}
+
+#[test]
+fn a_camera_that_fails_after_a_motion_loses_no_round() {
+    /// Sees once, before the first round.
+    struct Blinded(Toy, bool);
+
+    impl Executor for Blinded {
+        fn execute(
+            &mut self,
+            order: &MotionOrder<'_>,
+            sink: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            self.0.execute(order, sink)
+        }
+
+        fn observe(&mut self, _: &Task) -> Result<Option<Observation>, ExecutorError> {
+            if std::mem::replace(&mut self.1, true) {
+                return Err(ExecutorError::new("camera 1: no picture"));
+            }
+            Ok(None)
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    let mut decided = 0;
+    let error = session.run(&mut Blinded(Toy::new(0.95), false), &mut |event| {
+        decided += usize::from(matches!(event, RunEvent::Decided(_)));
+        ControlFlow::Continue(())
+    });
+    let error = error.expect_err("it fails").to_string();
+    assert_eq!(error, "camera 1: no picture");
+    assert_eq!((session.rounds().len(), decided), (1, 1));
+    assert!(session.rounds()[0].interpretation.plane.is_some());
+}
+
+#[test]
+fn poses_that_contradict_the_joint_positions_are_doubted() {
+    /// Measures joint positions, and poses so far beside them [m].
+    struct Beside(f64);
+
+    impl Executor for Beside {
+        fn execute(
+            &mut self,
+            order: &MotionOrder<'_>,
+            sink: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            let mut execution = Execution::from_positions(&[]);
+            for at in order.setpoints(0.02) {
+                let share = 0.95 * f64::from(at.phase.is_contact());
+                let force = order.task.surface_reaction() * share;
+                let pose = Translation3::new(self.0, 0.0, 0.0) * at.world_from_tool;
+                let touch = TouchSample::new(at.time, pose, force);
+                let _ = sink(&TelemetrySample {
+                    positions: &at.positions,
+                    ..TelemetrySample::from_touch(&touch, at.motion, at.phase)
+                });
+                (execution.duration, execution.positions) = (at.time, at.positions);
+            }
+            Ok(execution)
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let contradiction = |off: f64| {
+        let mut session = loaded.session().with_robot(robot.robot_setup());
+        session
+            .run_until(Stage::Decided, &mut Beside(off), &mut ignore_events)
+            .expect("a round");
+        let doubts = &session.rounds()[0].interpretation.doubts;
+        let found = doubts
+            .iter()
+            .find(|doubt| matches!(doubt, Doubt::PositionsContradictPose { .. }));
+        found.map(Doubt::is_decisive)
+    };
+    let found = [0.0, 0.005, 0.02, 0.05].map(contradiction);
+    assert_eq!(found, [None, None, Some(false), Some(true)]);
+}
+
+#[test]
+fn a_crumb_on_the_floor_ends_no_run() {
+    /// Sees all dirt before the first round, and a crumb half a metre beside a clean surface after it.
+    struct Tidy(Toy);
+
+    impl Executor for Tidy {
+        fn execute(
+            &mut self,
+            order: &MotionOrder<'_>,
+            sink: &mut SampleSink<'_>,
+        ) -> Result<Execution, ExecutorError> {
+            self.0.execute(order, sink)
+        }
+
+        fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
+            let detections = if self.0.executed == 0 {
+                task.particles.iter().map(|(place, _)| place).collect()
+            } else {
+                vec![Point2::new(0.66, 0.0)]
+            };
+            Ok(Some(Observation {
+                detections,
+                ..Observation::default()
+            }))
+        }
+    }
+
+    let loaded = loaded();
+    let robot = robot(&loaded);
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    session
+        .run_until(Stage::Decided, &mut Tidy(Toy::new(0.95)), &mut ignore_events)
+        .expect("a round");
+    let interpretation = &session.rounds()[0].interpretation;
+    let doubts = &interpretation.doubts;
+    let is_left_out = |doubt: &Doubt| matches!(doubt, Doubt::DetectionsBeside { left_out: 1, .. });
+    assert!(doubts.iter().any(is_left_out), "{doubts:?}");
+    let seen = interpretation.observation.as_ref().expect("a camera");
+    assert!(seen.detections.is_empty());
+}
