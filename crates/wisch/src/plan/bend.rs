@@ -2,7 +2,7 @@
 //! way. A tool that touches with a part of its footprint is planned with that part ([`BendContact`]).
 
 use super::PlanError;
-use crate::geometry::{Mesh, Point2, Point3, Vector2};
+use crate::geometry::{Bounds2, Mesh, Point2, Point3, Vector2};
 use crate::represent::{
     ElasticFoundation, LocalPressure, SURFACE_SKIN, Surface, SurfaceShape, Task, dirt_friction,
     effective_pressure,
@@ -19,6 +19,9 @@ type Ranges = [[f64; 2]; 2];
 const YAWS: usize = 90;
 /// Half the distance between the points of an object that are checked [m]; also their slack.
 const SEARCH_STEP: f64 = 0.01;
+/// Distance of two places of a surface in space, over that in its chart, at most [1]: charts of meshes are stretched by a few
+/// percent.
+const MOST_STRETCH: f64 = 1.1;
 
 /// Contact of a tool with a surface that bends, upright and at nominal force.
 ///
@@ -265,23 +268,8 @@ pub(super) fn check_scene<'a>(
     scene: impl IntoIterator<Item = &'a Mesh>,
     radius: f64,
 ) -> Result<(), PlanError> {
-    let outline = &surface.outline;
-    let distance = |point: &Point3| {
-        let at = surface.shape.chart(*point);
-        if at.height <= SURFACE_SKIN {
-            return f64::INFINITY;
-        }
-        let edges = outline.edges().map(|edge| edge.distance(at.place));
-        let beside = if outline.contains(at.place) {
-            0.0
-        } else {
-            edges.fold(f64::INFINITY, f64::min)
-        };
-        at.height.hypot(beside)
-    };
     for mesh in scene {
-        let fine = mesh.split_edges(2.0 * SEARCH_STEP);
-        let distance = (fine.vertices().iter().map(distance)).fold(f64::INFINITY, f64::min);
+        let distance = find_distance_above(surface, mesh, radius + SEARCH_STEP);
         if distance < radius + SEARCH_STEP {
             return Err(PlanError::ObstacleOnBend {
                 surface: surface.name.clone(),
@@ -293,9 +281,95 @@ pub(super) fn check_scene<'a>(
     Ok(())
 }
 
+/// Returns the distance of the part of a mesh on the outer side of a surface from the surface [m], exact to
+/// [`SEARCH_STEP`]; infinite if it is above `limit`. Only triangles near the surface are divided.
+fn find_distance_above(surface: &Surface, mesh: &Mesh, limit: f64) -> f64 {
+    let outline = &surface.outline;
+    let height_and_distance = |point: &Point3| {
+        let at = surface.shape.chart(*point);
+        let beside = if outline.contains(at.place) {
+            0.0
+        } else {
+            let edges = outline.edges().map(|edge| edge.distance(at.place));
+            edges.fold(f64::INFINITY, f64::min)
+        };
+        (at.height, at.height.hypot(beside))
+    };
+    let bounds = Bounds2::from_points(outline.outer().iter().copied());
+    let center = bounds.map_or_else(Point2::origin, |bounds| bounds.center());
+    let foot = Point3::from(surface.shape.place(center, 0.0).translation.vector);
+    let corners = outline
+        .outer()
+        .iter()
+        .map(|corner| (corner - center).norm());
+    let size = MOST_STRETCH * corners.fold(0.0, f64::max);
+    let is_mesh = matches!(surface.shape, SurfaceShape::Mesh(_));
+    let mut least = f64::INFINITY;
+    let mut open: Vec<[Point3; 3]> = mesh.corners().collect();
+    while let Some([a, b, c]) = open.pop() {
+        let middle = Point3::from((a.coords + b.coords + c.coords) / 3.0);
+        let reach = [a, b, c].map(|corner| (corner - middle).norm());
+        let reach = reach.into_iter().fold(0.0, f64::max);
+        // Distance and height change by at most the distance moved; twice the limit, for what a mesh approximates.
+        let far = 2.0 * limit + reach;
+        if (middle - foot).norm() > size + far {
+            continue;
+        }
+        let (height, _) = height_and_distance(&middle);
+        if height.abs() > far || !is_mesh && height + reach <= SURFACE_SKIN {
+            continue;
+        }
+        let sides = [[a, b, c], [b, c, a], [c, a, b]];
+        let length = |[from, to, _]: &[Point3; 3]| (to - from).norm();
+        let longest =
+            (sides.into_iter()).max_by(|one, other| length(one).total_cmp(&length(other)));
+        let Some([from, to, tip]) = longest.filter(|side| length(side) > 2.0 * SEARCH_STEP) else {
+            let corners = [a, b, c].map(|corner| height_and_distance(&corner));
+            let above = (corners.into_iter()).filter(|&(height, _)| height > SURFACE_SKIN);
+            least = above.fold(least, |least, (_, distance)| least.min(distance));
+            continue;
+        };
+        let between = nalgebra::center(&from, &to);
+        open.extend([[from, between, tip], [between, to, tip]]);
+    }
+    if least > limit { f64::INFINITY } else { least }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Polygon, Pose, Vector3};
+
+    #[test]
+    fn a_large_plate_is_found_over_a_small_pipe() {
+        let mut pipe = Surface::new(
+            "pipe",
+            Polygon::rectangle(Vector2::new(0.02, 0.02)),
+            Pose::identity(),
+        );
+        pipe.shape = SurfaceShape::Cylinder {
+            radius: 0.3,
+            axis: 0.0,
+        };
+        // 60 m wide: its corners and those of a coarse division are far from the pipe.
+        let plate = Mesh::cuboid(Vector3::new(60.0, 60.0, 0.002)).expect("it has a volume");
+        let at = |height: f64| {
+            let shift = Pose::translation(0.37, -0.23, height);
+            find_distance_above(&pipe, &plate.transform(&shift), 0.06)
+        };
+        assert!((at(0.051) - 0.05).abs() < SEARCH_STEP, "{}", at(0.051));
+        assert_eq!(at(0.075), f64::INFINITY);
+        assert_eq!(at(-0.01), f64::INFINITY, "what lies below supports it");
+
+        // A spike from beyond the axis, of which only the tip is near.
+        let base = [[-0.1, -0.1], [0.1, -0.1], [0.0, 0.1]].map(|[x, y]| Point3::new(x, y, -0.5));
+        let spike = Mesh::new(
+            [&base[..], &[Point3::new(0.0, 0.0, 0.05)]].concat(),
+            vec![[0, 1, 3], [1, 2, 3], [2, 0, 3]],
+        );
+        let distance = find_distance_above(&pipe, &spike.expect("triangles"), 0.06);
+        assert!(distance < 0.06, "{distance}");
+    }
 
     #[test]
     fn the_text_of_a_contact_states_the_share_and_the_length_that_would_fit() {
