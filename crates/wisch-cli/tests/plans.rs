@@ -398,6 +398,24 @@ fn a_plan_for_another_pose_tool_or_goal_is_used_with_a_remark() {
     assert!(goal.contains(needed), "{goal}");
     let tool = predict(&["--set", "tool.footprint_m=[0.06, 0.10]"]);
     assert!(tool.contains("has 58.3 mm"), "{tool}");
+
+    // What follows from strokes and task is made anew, whatever the file says of it.
+    let file = folder.path().join("p/plan.json");
+    let mut plan: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    plan["unreachable_share"] = 0.7.into();
+    plan["tcp_path"][0]["height_m"] = 3.0.into();
+    let predict = |plan: &serde_json::Value| {
+        fs::write(&file, plan.to_string()).unwrap();
+        let words = ["predict", "chopping-board", "--plan", "p/plan.json"];
+        wisch(folder.path(), &[&words[..], &["--out", "o"]].concat())
+    };
+    let (_, out, errors) = predict(&plan);
+    assert!(errors.contains("tcp_path differs"), "{errors}");
+    assert!(out.contains("out of reach       0.0 %"), "{out}");
+    plan.as_object_mut().unwrap().remove("tcp_path");
+    let (_, _, errors) = predict(&plan);
+    assert!(!errors.contains("tcp_path"), "{errors}");
 }
 
 #[test]

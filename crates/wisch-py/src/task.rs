@@ -498,7 +498,7 @@ impl PyTask {
     fn plan_of_json(&self, py: Python<'_>, json: &str) -> PyResult<PyPlan> {
         let record = PlanRecord::parse(json).map_err(plain)?;
         let plan = record.to_plan(&self.loaded.task).map_err(plain)?;
-        warn_of(py, record.describe_differences(&self.loaded.task))?;
+        warn_of(py, record.describe_differences(&plan, &self.loaded.task))?;
         Ok(PyPlan::new(&self.loaded.task, plan))
     }
 

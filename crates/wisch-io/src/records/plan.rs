@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use wisch::geometry::{PlanarPose, Point2, Pose};
 use wisch::plan::{
     Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Stroke, TcpWaypoint, check_strokes,
+    find_unreachable_share,
 };
 use wisch::represent::{Action, GoalState, Task, UnknownName};
 
@@ -63,11 +64,14 @@ pub struct PlanRecord {
     pub edges: Vec<[usize; 2]>,
     /// Indices of the nodes that no valid edge connects to the goal.
     pub unreachable_nodes: Vec<usize>,
-    /// Share of the particles that the tool covers at no free position and yaw.
+    /// Share of the particles that the tool covers at no free position and yaw. What a file says of it is not used.
+    #[serde(default)]
     pub unreachable_share: f64,
     /// The strokes in their order.
     pub strokes: Vec<StrokeRecord>,
-    /// The corners of the tool centre point's whole path, lifted moves included.
+    /// The corners of the tool centre point's whole path, lifted moves included. They follow from the strokes: what a file says of
+    /// them is not used.
+    #[serde(default)]
     pub tcp_path: Vec<WaypointRecord>,
 }
 
@@ -399,7 +403,8 @@ impl PlanRecord {
                 })
                 .collect(),
             collision_radius: self.collision_radius_m,
-            unreachable_share: self.unreachable_share,
+            // Of the particles of this task, which may be others than those that the plan was made for.
+            unreachable_share: find_unreachable_share(task)?,
             tool_start: self.tool_start_in_surface_m.into(),
             lift_height: self.lift_height_m,
         };
@@ -504,12 +509,6 @@ impl PlanRecord {
         };
         length("collision_radius_m", self.collision_radius_m)?;
         length("lift_height_m", self.lift_height_m)?;
-        within(
-            "unreachable_share",
-            self.unreachable_share,
-            0.0..=1.0,
-            "0 to 1",
-        )?;
         point("tool_start_in_surface_m", self.tool_start_in_surface_m)?;
         if let GoalRecord::Collected {
             center_in_surface_m,

@@ -1,8 +1,10 @@
 //! What a plan file assumes that differs from the task for which it is used.
 
+use super::plan::WaypointRecord;
 use super::{GoalRecord, PlanRecord};
 use nalgebra::{Quaternion, UnitQuaternion};
 use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::plan::{Plan, TcpWaypoint};
 use wisch::represent::Task;
 
 /// Differences in position \[m\], in length \[m\] and in angle \[rad\] up to which two values are the same.
@@ -11,23 +13,48 @@ const SAME_LENGTH: f64 = 1e-4;
 const SAME_ANGLE: f64 = 1e-3;
 
 impl PlanRecord {
-    /// Describes in sentences in what the task of the plan differs from `task`, where the plan is usable for both: the
-    /// pose of the surface, the size of the tool, and the goal. Empty if nothing differs.
+    /// Describes in sentences in what the task of the record's `plan` differs from `task`, where the plan is usable for both: the
+    /// pose of the surface, the size of the tool, and the goal; and whether its path differs from that of its strokes. Empty if
+    /// nothing differs.
     ///
     /// ```
-    /// # fn describe(record: &wisch_io::PlanRecord, task: &wisch::represent::Task) {
-    /// for sentence in record.describe_differences(task) {
+    /// # fn describe(record: &wisch_io::PlanRecord, plan: &wisch::plan::Plan, task: &wisch::represent::Task) {
+    /// for sentence in record.describe_differences(plan, task) {
     ///     eprintln!("plan.json: {sentence}");
     /// }
     /// # }
     /// ```
-    pub fn describe_differences(&self, task: &Task) -> Vec<String> {
+    pub fn describe_differences(&self, plan: &Plan, task: &Task) -> Vec<String> {
         let differences = [
+            self.describe_other_path(plan),
             self.describe_moved_surface(task),
             self.describe_other_tool(task),
             self.describe_other_goal(task),
         ];
         differences.into_iter().flatten().collect()
+    }
+
+    fn describe_other_path(&self, plan: &Plan) -> Option<String> {
+        let path = plan.tcp_path();
+        let is_same = |(recorded, corner): (&WaypointRecord, &TcpWaypoint)| {
+            let WaypointRecord {
+                x_m,
+                y_m,
+                height_m,
+                heading_rad,
+            } = *recorded;
+            let pose = &corner.surface_from_tool;
+            (Point2::new(x_m, y_m) - pose.position).norm() <= SAME_POSITION
+                && (height_m - corner.height).abs() <= SAME_POSITION
+                && (heading_rad - pose.heading).abs() <= SAME_ANGLE
+        };
+        let is_whole = self.tcp_path.len() == path.len();
+        let is_stated = !self.tcp_path.is_empty();
+        (is_stated && !(is_whole && self.tcp_path.iter().zip(&path).all(is_same))).then(|| {
+            "tcp_path differs from the path of the strokes; it is not used, and the strokes and \
+             lift_height_m count"
+                .to_owned()
+        })
     }
 
     fn describe_moved_surface(&self, task: &Task) -> Option<String> {

@@ -2,6 +2,7 @@
 //! form.
 
 use super::bend::check_bend;
+use super::planner::find_unreachable_share;
 use super::{FreeSpace, Node, NodeRole, Plan, PlanError, SemanticDirectedGraph, Strategy, Stroke};
 use crate::geometry::{Bounds2, Mesh, PlanarPose, Point2};
 use crate::represent::{Action, GoalState, Ground, OccupiedArea, SURFACE_SKIN, Task};
@@ -210,7 +211,7 @@ pub fn plan_from_strokes(
             unreachable: Vec::new(),
         },
         collision_radius: task.tool.collision_radius(),
-        unreachable_share: 0.0,
+        unreachable_share: find_unreachable_share(task)?,
         tool_start: task.tool_start,
         lift_height,
     })

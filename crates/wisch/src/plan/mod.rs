@@ -39,7 +39,7 @@ pub use given_strokes::{
 pub use graph::{Node, NodeRole, SemanticDirectedGraph};
 pub use objective::has_predicted_gain;
 pub(crate) use planner::highest_score;
-pub use planner::{Candidate, Planner, Portfolio, plan};
+pub use planner::{Candidate, Planner, Portfolio, find_unreachable_share, plan};
 pub(crate) use policies::{order_nodes, rejoin_nodes};
 pub use predict::{Prediction, PredictionProgress, predict};
 pub use score::PlanScore;

@@ -344,19 +344,39 @@ fn plan_by(
 /// Cuts a plan to the longest distance allowed and notes which share of the task's dirt the tool covers at no
 /// pose.
 fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Plan {
-    let places: Vec<Point2> = task.particles.remaining().collect();
     let plan = match config.max_distance {
         Some(most) if plan.contact_distance() > most => plan.truncate(most),
         _ => plan,
     };
     Plan {
-        unreachable_share: space.unreachable_share(
-            &places,
-            &task.tool.footprint,
-            &gap_in_hollow(task),
-        ),
+        unreachable_share: unreachable_share(task, space),
         ..plan
     }
+}
+
+fn unreachable_share(task: &Task, space: &FreeSpace) -> f64 {
+    let places: Vec<Point2> = task.particles.remaining().collect();
+    space.unreachable_share(&places, &task.tool.footprint, &gap_in_hollow(task))
+}
+
+/// Returns the share of a task's dirt that its tool covers from no free place of the surface \[1\], whatever the plan.
+///
+/// # Errors
+/// If the geometry of surface or scene does not suit planning, as for [`plan`].
+///
+/// ```
+/// use wisch::plan::find_unreachable_share;
+/// use wisch::prelude::*;
+///
+/// let board = Surface::new("board", Polygon::rectangle(Vector2::new(0.4, 0.3)), Pose::identity());
+/// let sponge = Tool::pad("sponge", Vector3::new(0.06, 0.1, 0.05))?;
+/// let dirt = ParticleDistribution::new(&[Point2::new(0.1, 0.0)])?;
+/// let task = Task::new(Action::Absorb, board, sponge, "crumbs", dirt);
+/// assert_eq!(find_unreachable_share(&task)?, 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn find_unreachable_share(task: &Task) -> Result<f64, PlanError> {
+    Ok(unreachable_share(task, &free_space_of(task)?))
 }
 
 /// Searches for strokes, starting from plans of coverage strategies for the task's dirt.
