@@ -6,7 +6,8 @@ use wisch_robot::setup::{
     find_arms, find_ready, manipulability, middle_posture, sample_pairs,
 };
 use wisch_robot::{
-    CollisionModel, DisabledPair, Group, GroupState, LinkId, RobotModel, Srdf, SrdfComments,
+    CollisionModel, DisabledPair, Group, GroupState, LinkAxis, LinkId, RobotModel, Srdf,
+    SrdfComments,
 };
 
 /// Settings for tests: fewer postures than the default.
@@ -164,6 +165,26 @@ fn a_tip_that_is_named_is_taken() {
         fault.to_string(),
         "link \"link_0\": no joint moves it, but the tip of an arm moves"
     );
+}
+
+#[test]
+fn a_flange_whose_shape_lies_behind_its_frame_points_away_from_the_arm() {
+    // The frame lies on the face of the flange, 0.11 m beyond the joint before, and the shape reaches back to it.
+    let turned = |roll: &str| {
+        arm6_with(&format!(
+            r#"<link name="flange"><collision><origin xyz="0 0 {behind}"/>
+              <geometry><cylinder radius="0.03" length="0.03"/></geometry></collision></link>
+            <joint name="flange_joint" type="revolute"><parent link="link_6"/><child link="flange"/>
+              <origin xyz="0 0 0.11" rpy="{roll} 0 0"/><axis xyz="0 0 1"/>
+              <limit lower="-3" upper="3" velocity="2" effort="50"/></joint>"#,
+            behind = if roll == "0" { -0.015 } else { 0.015 }
+        ))
+    };
+    for (roll, axis) in [("0", LinkAxis::Z), ("3.14159265", LinkAxis::NegativeZ)] {
+        let robot = read(&turned(roll));
+        let arms = find_arms(&robot, &[robot.link("flange").unwrap()]).unwrap();
+        assert_eq!(arms[0].tip_axis, axis, "{roll}");
+    }
 }
 
 #[test]

@@ -141,7 +141,8 @@ fn list_candidates(
 }
 
 /// Returns the axis of a tip that is nearest to the direction from the last of `joints` to it, and the angle between the two
-/// [rad]. A tip at that joint's place has the direction of the joint's axis, to the side on which its shapes reach farther.
+/// [rad]. A tip at that joint's place has the direction of the joint's axis, away from the joint before it, or else to the side on
+/// which its shapes reach farther.
 pub(super) fn outward_axis(tree: &JointTree<'_>, joints: &[usize], tip: LinkId) -> (LinkAxis, f64) {
     let robot = tree.robot;
     let last = joints.last().map(|&last| &robot.joints()[last]);
@@ -176,6 +177,16 @@ pub(super) fn outward_axis(tree: &JointTree<'_>, joints: &[usize], tip: LinkId) 
         return nearest(&apart);
     }
     let along = world_from_joint.rotation * last.axis.into_inner();
+    // The joint before it is on the inner side.
+    let before = joints.iter().rev().nth(1);
+    let step = before.map_or(0.0, |&before| {
+        let inner = kinematics.world_from_link(robot.joints()[before].child);
+        let step = world_from_joint.translation.vector - inner.translation.vector;
+        along.dot(&step)
+    });
+    if step.abs() >= MIN_DISTANCE {
+        return nearest(&(along * step.signum()));
+    }
     let [(there, tilt), (back, _)] = [along, -along].map(|direction| nearest(&direction));
     // The shapes of a hand reach farther outwards than inwards; without shapes, the usual frame has z outwards.
     let reach = |axis| hand_extent(robot, tip, axis, &middle).ok();
