@@ -171,11 +171,17 @@ fn what_a_killed_run_left_is_not_taken_for_another_and_is_cleaned_up() {
     );
     assert!(!left.exists());
 
-    // Of another seed: nothing of it is taken over.
+    // Of another seed: an error, and its round is still there for the right command.
     killed_after_one_round(folder.path(), "again");
-    let (_, err) = ended(wisch(folder.path(), "again", &["--resume", "--seed", "7"]));
+    let (code, err) = ended(wisch(folder.path(), "again", &["--resume", "--seed", "7"]));
+    assert_eq!(code, Some(2), "{err}");
     assert!(
-        err.contains("resuming after 0 rounds of the killed run"),
+        err.contains("again: the killed run, which completed 1 round, had another task, seed"),
+        "{err}"
+    );
+    let (_, err) = ended(wisch(folder.path(), "again", &["--resume"]));
+    assert!(
+        err.contains("resuming after 1 round of the killed run"),
         "{err}"
     );
 }

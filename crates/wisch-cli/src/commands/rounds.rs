@@ -155,7 +155,8 @@ fn record_options(
     }
 }
 
-/// Reads the completed rounds of a killed run; only their bags stay in the folder.
+/// Reads the completed rounds of a killed run; only their bags stay in the folder. Those of another run are an error, and stay
+/// as they are.
 fn rounds_of_killed_run(
     job: &Job<'_>,
     checkpoints: &Checkpoints,
@@ -163,6 +164,15 @@ fn rounds_of_killed_run(
     let folder = job.folder;
     if !folder.leftovers().is_taken_over {
         return Ok(Vec::new());
+    }
+    let others = checkpoints.count_rounds_of_another_run();
+    if others > 0 {
+        folder.keep_leftovers();
+        let (place, rounds) = (folder.target().display(), counted(others, "round"));
+        return Err(Failure::new(format!(
+            "{place}: the killed run, which completed {rounds}, had another task, seed, setting or version of wisch"
+        ))
+        .with_help("repeat its command with --resume; without --resume, what it left is removed"));
     }
     let samples = |number| {
         let mut samples = Vec::new();

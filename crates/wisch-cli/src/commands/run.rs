@@ -303,16 +303,22 @@ fn work_on_surface(
         // A pause that comes before the executor starts holds before the first motion.
         pause_on_signal()?;
     }
-    // The folder comes before the long computation, so that a missing permission is reported at once.
-    let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
-    let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
-
     let robot = (chosen.as_ref())
         .map(|chosen| {
             progress.say("reading the robot");
             Ok::<_, Failure>((chosen, read_robot(chosen, task_args)?))
         })
         .transpose()?;
+    // The folder comes before the long computation, so that a missing permission is reported at once.
+    let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
+    let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
+    if chosen.is_none() && folder.leftovers().is_taken_over {
+        folder.keep_leftovers();
+        return Err(stage_failure(
+            task_args,
+            "--resume needs the robot of the killed run",
+        ));
+    }
     let job = Job {
         task_args,
         prepared: &prepared,
@@ -608,7 +614,7 @@ pub(super) fn given_plan(path: &Path, prepared: &mut LoadedTask) -> Result<Plan,
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;
     let plan = record.to_plan(&prepared.task).map_err(in_file)?;
-    for sentence in record.describe_differences(&prepared.task) {
+    for sentence in record.describe_differences(&plan, &prepared.task) {
         remark(&format!("{}: {sentence}", path.display()));
     }
     let over_border = check_strokes(&prepared.task, &plan.strokes);

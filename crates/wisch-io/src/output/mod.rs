@@ -256,6 +256,16 @@ impl OutputFolder {
         Some(find_newest(target.parent()?, &name)?.join(STATE))
     }
 
+    /// Path at which the results appear.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Leaves what a killed run left as it is when this ends without results, so that it can still be resumed.
+    pub fn keep_leftovers(&self) {
+        self.staging.let_stay();
+    }
+
     /// Removes all files of a killed run except the named files.
     ///
     /// # Errors

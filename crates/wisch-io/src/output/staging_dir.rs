@@ -4,6 +4,7 @@ use super::replacement::{Left, complete};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Lock file of the process that works in the folder; the system releases the lock when the process ends.
 const LOCK_FILE: &str = "lock";
@@ -28,10 +29,11 @@ pub struct KilledRuns {
     pub is_finished: bool,
 }
 
-/// A hidden folder beside a target, on the same file system. It is removed when dropped.
+/// A hidden folder beside a target, on the same file system. It is removed when dropped, unless it is to stay.
 #[derive(Debug)]
 pub(super) struct StagingDir {
     path: PathBuf,
+    stays: AtomicBool,
     _lock: File,
 }
 
@@ -91,12 +93,25 @@ impl StagingDir {
             let path = folder.keep();
             let lock = File::create(path.join(LOCK_FILE))?;
             lock.lock()?;
-            let place = Self { path, _lock: lock };
+            let place = Self::locked(path, lock);
             // Between creating and locking, another process may have removed the folder as a leftover.
             if place.path.join(LOCK_FILE).is_file() {
                 return Ok(place);
             }
         }
+    }
+
+    fn locked(path: PathBuf, lock: File) -> Self {
+        Self {
+            path,
+            stays: AtomicBool::new(false),
+            _lock: lock,
+        }
+    }
+
+    /// Leaves the folder as that of a killed run when this is dropped.
+    pub fn let_stay(&self) {
+        self.stays.store(true, Ordering::Relaxed);
     }
 
     /// Path of the folder.
@@ -107,8 +122,10 @@ impl StagingDir {
 
 impl Drop for StagingDir {
     fn drop(&mut self) {
-        // If removal fails, the next run finds the folder.
-        let _ = fs::remove_dir_all(&self.path);
+        if !*self.stays.get_mut() {
+            // If removal fails, the next run finds the folder.
+            let _ = fs::remove_dir_all(&self.path);
+        }
     }
 }
 
@@ -143,7 +160,7 @@ fn staging_dirs(parent: &Path, prefix: &str) -> io::Result<(Vec<StagingDir>, Vec
         match lock.try_lock() {
             Ok(()) => {
                 let modified = lock.metadata()?.modified()?;
-                dead.push((modified, StagingDir { path, _lock: lock }));
+                dead.push((modified, StagingDir::locked(path, lock)));
             }
             Err(TryLockError::WouldBlock) => living.push(path),
             Err(TryLockError::Error(error)) => return Err(error),

@@ -103,13 +103,25 @@ impl Checkpoints {
         (1..).map_while(move |number| self.read_round(number, &samples))
     }
 
+    /// Returns the number of rounds that a killed run with another identity left.
+    pub fn count_rounds_of_another_run(&self) -> usize {
+        let records = (1..).map_while(|number| self.read_record(number));
+        records
+            .filter(|record| record.identity != self.identity)
+            .count()
+    }
+
+    fn read_record(&self, number: usize) -> Option<CheckpointRecord> {
+        let text = fs::read(record_path(&self.folder, number)).ok()?;
+        serde_json::from_slice(&text).ok()
+    }
+
     fn read_round(
         &self,
         number: usize,
         samples: impl Fn(usize) -> Option<Vec<RecordedSample>>,
     ) -> Option<CheckpointRound> {
-        let text = fs::read(record_path(&self.folder, number)).ok()?;
-        let record: CheckpointRecord = serde_json::from_slice(&text).ok()?;
+        let record = self.read_record(number)?;
         if record.identity != self.identity {
             return None;
         }
