@@ -325,6 +325,49 @@ fn the_catalogues_from_tables_and_from_folders_are_equal() {
 }
 
 #[test]
+fn tables_answer_for_no_episode_that_was_changed_or_emptied_by_hand() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = memory(folder.path());
+    let [first, second] = [one_round(1), one_round(2)];
+    store(&memory, &first).unwrap();
+    store(&memory, &second).unwrap();
+    let known = || -> Vec<String> {
+        let catalogue = memory.catalogue().unwrap();
+        catalogue
+            .episodes()
+            .iter()
+            .map(|row| row.id.clone())
+            .collect()
+    };
+    // Read, and written to the tables by the second call at the latest.
+    assert_eq!(known(), [&*first.id, &*second.id]);
+    let place = |id: &str| memory.folder().join(id);
+    // Another episode of the same name.
+    std::fs::remove_dir_all(place(&first.id)).unwrap();
+    let mut again = first.clone();
+    again.task = "again".to_owned();
+    store(&memory, &again).unwrap();
+    let catalogue = memory.catalogue().unwrap();
+    let found = (catalogue.episodes().iter()).find(|row| row.id == first.id);
+    assert_eq!(found.unwrap().task, "again");
+    // A copy that ended half-way.
+    std::fs::remove_dir_all(place(&second.id)).unwrap();
+    std::fs::create_dir(place(&second.id)).unwrap();
+    let catalogue = memory.catalogue().unwrap();
+    assert_eq!(catalogue.episodes().len(), 1);
+    let omitted = catalogue.omitted_episodes();
+    assert!(
+        omitted.len() == 1 && omitted[0].contains(&second.id),
+        "{omitted:?}"
+    );
+    // A copy under a name that no episode can have.
+    std::fs::rename(place(&first.id), place("Küche 1")).unwrap();
+    let omitted = memory.catalogue().unwrap().omitted_episodes().join("; ");
+    assert!(omitted.contains("\"Küche 1\""), "{omitted}");
+    assert_eq!(memory.ignored_episodes().unwrap().len(), 1);
+}
+
+#[test]
 fn readers_see_only_complete_episodes() {
     const WRITERS: usize = 4;
     const EACH: usize = 8;

@@ -261,6 +261,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     let episodes = memory.episodes().map_err(broken)?.len();
     let faults = memory.verify().map_err(broken)?;
     let mut faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    faults.extend(memory.ignored_episodes().map_err(broken)?);
     faults.extend(dated_ahead(&memory.catalogue().map_err(broken)?));
     let is_well = faults.is_empty();
     if args.json {

@@ -1,12 +1,13 @@
 //! The catalogue of a memory: from its tables on disk, and from the folders of episodes that the tables lack.
 
 use super::error::{MemoryError, at};
-use super::{Memory, remove_folder, sync_folder};
+use super::{MAX_ID_LEN, Memory, RECORD_FILE, is_id, remove_folder, sync_folder};
 use crate::catalogue::{Catalogue, cache};
 use std::collections::HashSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::time::SystemTime;
 
 const CATALOGUE_FOLDER: &str = ".catalogue";
 /// File that names the current folder of tables.
@@ -35,6 +36,8 @@ impl Memory {
     /// # Errors
     /// If the folder cannot be listed.
     pub fn catalogue(&self) -> Result<Catalogue, MemoryError> {
+        // Before anything is read: what changes while it is read is read again by the next call.
+        let (begun, written) = (SystemTime::now(), self.time_of_tables());
         let forgotten = self.read_forgotten()?;
         let ids = self.episodes()?;
         let (mut catalogue, mut tables) = match self.read_tables() {
@@ -42,7 +45,16 @@ impl Memory {
             None => (Catalogue::default(), Tables::Stale),
         };
         let there: HashSet<&str> = ids.iter().map(String::as_str).collect();
-        let stays = |id: &str| there.contains(id) && !forgotten.contains(id);
+        let changed: HashSet<String> = (catalogue.episodes().iter())
+            .filter(|row| there.contains(row.id.as_str()) && !forgotten.contains(&row.id))
+            .filter(|row| self.has_changed(&row.id, written))
+            .map(|row| row.id.clone())
+            .collect();
+        if !changed.is_empty() {
+            tables = Tables::Stale;
+        }
+        let stays =
+            |id: &str| there.contains(id) && !forgotten.contains(id) && !changed.contains(id);
         if !catalogue.episodes().iter().all(|row| stays(&row.id)) {
             catalogue = catalogue.retain(|row| stays(&row.id));
         }
@@ -58,15 +70,52 @@ impl Memory {
                 Err(error) => catalogue.leave_out(format!("episode {id}: {error}")),
             }
         }
+        for name in self.ignored_episodes()? {
+            catalogue.leave_out(name);
+        }
         let read = catalogue.episodes().len() - known;
         if read > MAX_MISSING || forgotten.len() > MAX_MISSING {
             tables = Tables::Stale;
         }
         if tables == Tables::Stale && !catalogue.is_empty() {
             // A failure only makes the next call slower.
-            let _ = self.write_tables(&catalogue, &forgotten);
+            let _ = self.write_tables(&catalogue, &forgotten, begun);
         }
         Ok(catalogue)
+    }
+
+    /// Returns why folders that hold the record of an episode are no episodes, by their names.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn ignored_episodes(&self) -> Result<Vec<String>, MemoryError> {
+        let mut ignored = Vec::new();
+        for entry in fs::read_dir(self.folder()).map_err(at(self.folder()))? {
+            let name = entry.map_err(at(self.folder()))?.file_name();
+            let text = name.to_string_lossy();
+            let is_hidden = text.starts_with('.');
+            if is_hidden || is_id(&text) || !self.folder().join(&name).join(RECORD_FILE).is_file() {
+                continue;
+            }
+            ignored.push(format!(
+                "folder {text:?}: it holds an episode, but its name is none (letters a to z, digits and \"-\", at most {MAX_ID_LEN}); rename it"
+            ));
+        }
+        ignored.sort_unstable();
+        Ok(ignored)
+    }
+
+    /// When the tables were written; `None` without tables.
+    fn time_of_tables(&self) -> Option<SystemTime> {
+        let current = self.folder().join(CATALOGUE_FOLDER).join(CURRENT_FILE);
+        fs::metadata(current).and_then(|file| file.modified()).ok()
+    }
+
+    /// Whether the record of an episode is missing, or not older than the tables.
+    fn has_changed(&self, id: &str, tables: Option<SystemTime>) -> bool {
+        let record = fs::metadata(self.folder().join(id).join(RECORD_FILE));
+        let time = record.and_then(|file| file.modified()).ok();
+        time.is_none() || time >= tables
     }
 
     /// Records that an episode in the tables was deleted. The caller must hold the memory's lock.
@@ -133,6 +182,7 @@ impl Memory {
         &self,
         catalogue: &Catalogue,
         applied: &HashSet<String>,
+        begun: SystemTime,
     ) -> Result<(), MemoryError> {
         let folder = self.folder().join(CATALOGUE_FOLDER);
         fs::create_dir_all(&folder).map_err(at(&folder))?;
@@ -154,6 +204,7 @@ impl Memory {
         let next = folder.join("next");
         let written = File::create(&next).and_then(|mut file| {
             file.write_all(number.to_string().as_bytes())?;
+            file.set_modified(begun)?;
             file.sync_all()
         });
         written.map_err(at(&next))?;
