@@ -1,6 +1,7 @@
 //! The result of following a plan: motions in the order of execution, and abandoned nodes.
 
 use super::{Trajectory, TrajectorySample};
+use crate::digits::format_beside_limit;
 use crate::geometry::{PlanarPose, Pose};
 use crate::plan::Stroke;
 use crate::robot::Range;
@@ -160,7 +161,10 @@ pub enum Obstruction {
         unit: &'static str,
     },
     /// Two parts of the robot come too close to each other.
-    #[error("{a:?} comes too close to {b:?}: clearance {distance:.4} m")]
+    #[error(
+        "{a:?} comes too close to {b:?}: clearance {} m, expected at least {limit} m",
+        format_beside_limit(*limit, *distance, 4)
+    )]
     SelfCollision {
         /// First part.
         a: String,
@@ -168,9 +172,14 @@ pub enum Obstruction {
         b: String,
         /// Distance between them \[m\], negative if they penetrate.
         distance: f64,
+        /// Least distance at which the way is free \[m\].
+        limit: f64,
     },
     /// The robot or its tool comes too close to the scene.
-    #[error("{body:?} comes too close to {object:?}: clearance {distance:.4} m")]
+    #[error(
+        "{body:?} comes too close to {object:?}: clearance {} m, expected at least {limit} m",
+        format_beside_limit(*limit, *distance, 4)
+    )]
     SceneCollision {
         /// Name of the link or tool.
         body: String,
@@ -178,6 +187,8 @@ pub enum Obstruction {
         object: String,
         /// Distance between them \[m\], negative if they penetrate.
         distance: f64,
+        /// Least distance at which the way is free \[m\].
+        limit: f64,
     },
     /// The second hand does not reach its grip on the tool.
     #[error("the second hand is off its grip by {position_error:.3} m and {rotation_error:.2} rad")]

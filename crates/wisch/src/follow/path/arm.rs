@@ -546,19 +546,23 @@ impl<'a> Arm<'a> {
     fn obstruction(&self, contact: &Contact, allowed: AllowedContact) -> Obstruction {
         let model = self.cell.arm_collisions(allowed);
         let (a, b) = (model.name(contact.a), model.name(contact.b));
-        let distance = contact.distance;
+        // A pair that is not surely clear counts as at the limit.
+        let within = |limit: f64| contact.distance.min(limit);
+        let Margins { own, obstacles } = self.margins;
         match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {
             (false, false) => Obstruction::SelfCollision {
                 a: a.to_owned(),
                 b: b.to_owned(),
-                distance,
+                distance: within(own),
+                limit: own,
             },
             (a_is_obstacle, _) => {
                 let (body, object) = if a_is_obstacle { (b, a) } else { (a, b) };
                 Obstruction::SceneCollision {
                     body: body.to_owned(),
                     object: object.to_owned(),
-                    distance,
+                    distance: within(obstacles),
+                    limit: obstacles,
                 }
             }
         }
