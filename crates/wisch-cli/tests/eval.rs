@@ -151,9 +151,10 @@ fn a_scenario_is_wiped_over_seeds_and_summed_up() {
     let none = eval(
         folder.path(),
         "scenarios",
-        &["no-such-task", "--worlds", "1"],
+        &["arm-board", "no-such-task", "--out", "none"],
     );
     let err = String::from_utf8_lossy(&none.stderr);
-    assert_eq!(none.status.code(), Some(1), "{err}");
+    assert_eq!(none.status.code(), Some(2), "{err}");
     assert!(err.contains("no-such-task"), "{err}");
+    assert!(!folder.path().join("none").exists());
 }

@@ -177,8 +177,8 @@ pub struct ScenarioScores {
     pub moved: Option<Quartiles>,
     /// Number of rounds whose 90 % interval contains the true performance.
     pub held: usize,
-    /// Mean absolute error of the estimate.
-    pub error: f64,
+    /// Mean absolute error of the estimate; `None` without rounds.
+    pub error: Option<f64>,
     /// Number of runs whose goal was met at the end.
     pub met: usize,
     /// Number of runs that claimed the goal.
@@ -210,7 +210,7 @@ impl ScenarioScores {
             held: (rounds.iter())
                 .filter(|round| round.belief.holds(LEVEL_90, round.outcome))
                 .count(),
-            error: error.sum::<f64>() / rounds.len().max(1) as f64,
+            error: (!rounds.is_empty()).then(|| error.sum::<f64>() / rounds.len() as f64),
             met: runs
                 .iter()
                 .filter(|run| run.final_performance() >= run.target)

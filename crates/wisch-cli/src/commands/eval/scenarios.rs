@@ -8,7 +8,9 @@ use crate::terminal::{Outcome, remark};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores};
+use wisch_io::{LoadOptions, load_task};
 
 /// Schema number of the record.
 const SCHEMA: u32 = 1;
@@ -32,6 +34,10 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
         let place = path.display();
         return Err(Failure::new(format!("{place}: the file exists already"))
             .with_help("choose another folder with --out"));
+    }
+    // A task that cannot be loaded is named before the first run.
+    for task in &args.tasks {
+        load_task(Path::new(task), &LoadOptions::default())?;
     }
     fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
     let [first, last] = provenance.seeds;
@@ -89,7 +95,7 @@ fn in_words(record: &ScenariosRecord) -> String {
             scores.claimed,
             scores.false_claims,
             scores.held,
-            points(scores.error),
+            scores.error.map_or_else(|| "–".to_owned(), points),
             scores.collisions,
         );
     }
