@@ -9,8 +9,10 @@ use wisch::plan::Strategy;
 use wisch::run::{NoExecutor, RunError, Session, Stage, ignore_events};
 use wisch_io::{KeptFiles, LoadedTask};
 
-/// Numbers of plans in the two trial searches that measure this machine's speed.
-const TRIED: [usize; 2] = [1, 20_000];
+/// Numbers of plans in the trial searches that measure this machine's speed.
+const TRIED: [usize; 4] = [250, 1_000, 4_000, 16_000];
+/// Share of the time at which a trial search is long enough to measure by [1].
+const TRIAL_SHARE: f64 = 0.2;
 /// Inverse of the relative step to which numbers of plans are rounded.
 const STEPS: f64 = 20.0;
 
@@ -36,7 +38,8 @@ pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskAr
         Budget::Evaluations(evaluations) => evaluations,
         Budget::Time(time) => {
             let seconds = time.as_secs_f64();
-            let pace = Pace::measured(&prepared).map_err(|error| stage_failure(&args, error))?;
+            let pace =
+                Pace::measured(&prepared, seconds).map_err(|error| stage_failure(&args, error))?;
             let evaluations = pace.affordable(seconds);
             remark(&format!(
                 "in {seconds} s this machine tries about {evaluations} plans after {:.1} s for the initial plans; \
@@ -60,24 +63,32 @@ struct Pace {
 }
 
 impl Pace {
-    /// Measures two searches without a robot. Time is linear in plans: `begun + each * plans`.
-    fn measured(prepared: &LoadedTask) -> Result<Self, RunError> {
+    /// Measures searches without a robot: one without further plans, and others until one takes a fifth of `seconds`. Time is linear
+    /// in plans: `begun + each * plans`.
+    fn measured(prepared: &LoadedTask, seconds: f64) -> Result<Self, RunError> {
         let belief = prepared.belief();
-        let mut took = [0.0; 2];
-        for (evaluations, took) in TRIED.into_iter().zip(&mut took) {
+        let time = |evaluations: usize| {
             let mut config = prepared.run.clone();
             config.plan.strategy = Strategy::Adaptive;
             config.plan.search.evaluations = evaluations;
             let mut session = Session::new(&prepared.task, config).with_belief(belief.clone());
             let begin = Instant::now();
             session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)?;
-            *took = begin.elapsed().as_secs_f64();
+            Ok::<_, RunError>(begin.elapsed().as_secs_f64())
+        };
+        let begun = time(1)?;
+        let mut each = f64::EPSILON;
+        if begun >= seconds {
+            return Ok(Self { begun, each });
         }
-        let [few, many] = TRIED.map(|tried| tried as f64);
-        Ok(Self {
-            begun: took[0],
-            each: ((took[1] - took[0]) / (many - few)).max(f64::EPSILON),
-        })
+        for tried in TRIED {
+            let searching = time(tried)? - begun;
+            each = (searching / (tried - 1) as f64).max(f64::EPSILON);
+            if searching >= TRIAL_SHARE * seconds {
+                break;
+            }
+        }
+        Ok(Self { begun, each })
     }
 
     /// Returns the number of plans that fit into a time [s].
