@@ -12,8 +12,8 @@ use wisch::recover::{Verdict, is_claimable};
 use wisch::represent::{Observation, SensorModel, Task};
 use wisch::run::{
     AfterStop, CandidateEvaluation, Ending, Execution, Executor, ExecutorError, MotionOrder,
-    NoExecutor, PlannedRound, RobotState, Round, RunConfig, RunError, RunEvent, SampleSink,
-    Session, Stage, StopCause, StopKind, TelemetrySample, ignore_events,
+    NoExecutor, PlannedRound, Round, RunConfig, RunError, RunEvent, SampleSink, Session, Stage,
+    StopCause, StopKind, ignore_events,
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 

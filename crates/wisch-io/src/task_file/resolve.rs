@@ -5,8 +5,8 @@ use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, Ta
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch::geometry::{
-    Atlas, Bounds2, LikelyUnit, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose,
-    RIGID_DEPTH, Region, Sheet, SheetConfig, SheetError, Vector2, Vector3, footprint,
+    Atlas, Bounds2, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose, RIGID_DEPTH,
+    Region, SheetConfig, SheetError, Vector2, Vector3, footprint,
 };
 use wisch::represent::{
     Action, DirtArea, DirtMobility, Interaction, KnowledgeBase, MeshShape, Mount,

@@ -297,7 +297,11 @@ fn a_crumb_on_the_floor_ends_no_run() {
     let robot = robot(&loaded);
     let mut session = loaded.session().with_robot(robot.robot_setup());
     session
-        .run_until(Stage::Decided, &mut Tidy(Toy::new(0.95)), &mut ignore_events)
+        .run_until(
+            Stage::Decided,
+            &mut Tidy(Toy::new(0.95)),
+            &mut ignore_events,
+        )
         .expect("a round");
     let interpretation = &session.rounds()[0].interpretation;
     let doubts = &interpretation.doubts;
