@@ -120,7 +120,7 @@ impl<'a> Planner<'a> {
         }
         let prepared = self.prepare()?;
         let plan = plan_by(strategy, &prepared, config)?;
-        Ok(finish(plan, &prepared.task, &prepared.space, config))
+        Ok(finish(plan, self.task, &prepared.space, config))
     }
 
     /// Plans by the configured strategy with several settings. A coverage strategy tries `count` settings,
@@ -198,7 +198,7 @@ impl<'a> Planner<'a> {
         let candidates = strategies.map(|strategy| {
             let plan = plan_by(strategy, &prepared, config);
             let candidate = plan.map(|plan| {
-                let plan = finish(plan, task, &prepared.space, config);
+                let plan = finish(plan, self.task, &prepared.space, config);
                 let score = score(&valuation, &plan);
                 Candidate { plan, score }
             });
@@ -217,15 +217,12 @@ impl<'a> Planner<'a> {
     /// Geometry that the libraries refuse.
     pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
         let Prepared {
-            task,
-            of_few,
-            few,
-            space,
+            of_few, few, space, ..
         } = self.prepare()?;
         let begun_with = std::slice::from_ref(plan);
         let found = search(&of_few, &few, &space, begun_with, Some(avoid), self.config);
         let found = found.unwrap_or_else(|| plan.clone());
-        Ok(finish(found, &task, &space, self.config))
+        Ok(finish(found, self.task, &space, self.config))
     }
 
     /// Returns the score of a plan, as the mean over all possible distributions of the dirt.
