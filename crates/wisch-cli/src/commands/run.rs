@@ -312,13 +312,7 @@ fn work_on_surface(
     // The folder comes before the long computation, so that a missing permission is reported at once.
     let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
     let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
-    if chosen.is_none() && folder.leftovers().is_taken_over {
-        folder.keep_leftovers();
-        return Err(stage_failure(
-            task_args,
-            "--resume needs the robot of the killed run",
-        ));
-    }
+    check_resumed_robot(&folder, robot.is_some(), task_args)?;
     let job = Job {
         task_args,
         prepared: &prepared,
@@ -370,6 +364,20 @@ fn work_on_surface(
         summary,
         is_stopped: is_interrupted || is_stopped(&results_of),
     })
+}
+
+/// Checks that a resumed run has a robot, as the killed run had.
+fn check_resumed_robot(
+    folder: &OutputFolder,
+    has_robot: bool,
+    task_args: &TaskArgs,
+) -> Result<(), Failure> {
+    if has_robot || !folder.leftovers().is_taken_over {
+        return Ok(());
+    }
+    folder.keep_leftovers();
+    let problem = "--resume needs the robot of the killed run";
+    Err(stage_failure(task_args, problem))
 }
 
 /// Returns the files that a killed run has kept, if this run resumes it.
