@@ -167,7 +167,6 @@ fn rounds_of_killed_run(
     }
     let others = checkpoints.count_rounds_of_another_run();
     if others > 0 {
-        folder.keep_leftovers();
         let (place, rounds) = (folder.target().display(), counted(others, "round"));
         return Err(Failure::new(format!(
             "{place}: the killed run, which completed {rounds}, had another task, seed, setting or version of wisch"

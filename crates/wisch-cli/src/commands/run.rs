@@ -303,16 +303,17 @@ fn work_on_surface(
         // A pause that comes before the executor starts holds before the first motion.
         pause_on_signal()?;
     }
+    // The folder comes before the long computation, so that a missing permission is reported at once.
+    let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
+    let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
+    check_resumed_robot(&folder, chosen.is_some(), task_args)?;
+
     let robot = (chosen.as_ref())
         .map(|chosen| {
             progress.say("reading the robot");
             Ok::<_, Failure>((chosen, read_robot(chosen, task_args)?))
         })
         .transpose()?;
-    // The folder comes before the long computation, so that a missing permission is reported at once.
-    let is_replacing_all = results.force || (extent.is_run() && chosen.is_some());
-    let folder = begin_folder(&out, extent, is_replacing_all, (&progress, global))?;
-    check_resumed_robot(&folder, robot.is_some(), task_args)?;
     let job = Job {
         task_args,
         prepared: &prepared,
@@ -375,7 +376,6 @@ fn check_resumed_robot(
     if has_robot || !folder.leftovers().is_taken_over {
         return Ok(());
     }
-    folder.keep_leftovers();
     let problem = "--resume needs the robot of the killed run";
     Err(stage_failure(task_args, problem))
 }

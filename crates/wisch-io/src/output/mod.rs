@@ -261,11 +261,6 @@ impl OutputFolder {
         &self.target
     }
 
-    /// Leaves what a killed run left as it is when this ends without results, so that it can still be resumed.
-    pub fn keep_leftovers(&self) {
-        self.staging.let_stay();
-    }
-
     /// Removes all files of a killed run except the named files.
     ///
     /// # Errors
@@ -297,7 +292,9 @@ impl OutputFolder {
         // The target may have changed since the beginning.
         check_replaceable(&self.target)?;
         replacement::put_in_place(self.staging.path(), &self.target)
-            .map_err(|error| cannot_write(&self.target, &error))
+            .map_err(|error| cannot_write(&self.target, &error))?;
+        self.staging.remove();
+        Ok(())
     }
 
     fn new_path(&self) -> PathBuf {

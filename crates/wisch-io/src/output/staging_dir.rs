@@ -4,7 +4,6 @@ use super::replacement::{Left, complete};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Lock file of the process that works in the folder; the system releases the lock when the process ends.
 const LOCK_FILE: &str = "lock";
@@ -29,11 +28,12 @@ pub struct KilledRuns {
     pub is_finished: bool,
 }
 
-/// A hidden folder beside a target, on the same file system. It is removed when dropped, unless it is to stay.
+/// A hidden folder beside a target, on the same file system. It is removed when dropped. What a killed run left and another took
+/// over is removed only after its results have reached their target: until then it can be resumed.
 #[derive(Debug)]
 pub(super) struct StagingDir {
     path: PathBuf,
-    stays: AtomicBool,
+    removes: bool,
     _lock: File,
 }
 
@@ -67,6 +67,10 @@ impl StagingDir {
             Leftover::Remove => None,
             Leftover::TakeOver => dead.pop(),
         };
+        let taken = taken.map(|mut place| {
+            place.removes = false;
+            place
+        });
         let removed = dead.iter().map(|place| place.path.clone()).collect();
         // Removed when dropped.
         drop(dead);
@@ -104,14 +108,14 @@ impl StagingDir {
     fn locked(path: PathBuf, lock: File) -> Self {
         Self {
             path,
-            stays: AtomicBool::new(false),
+            removes: true,
             _lock: lock,
         }
     }
 
-    /// Leaves the folder as that of a killed run when this is dropped.
-    pub fn let_stay(&self) {
-        self.stays.store(true, Ordering::Relaxed);
+    /// Removes the folder, also one that was taken over.
+    pub fn remove(mut self) {
+        self.removes = true;
     }
 
     /// Path of the folder.
@@ -122,7 +126,7 @@ impl StagingDir {
 
 impl Drop for StagingDir {
     fn drop(&mut self) {
-        if !*self.stays.get_mut() {
+        if self.removes {
             // If removal fails, the next run finds the folder.
             let _ = fs::remove_dir_all(&self.path);
         }
@@ -256,5 +260,12 @@ mod tests {
         .expect("a staging folder");
         assert!(found.is_taken_over && found.removed.is_empty());
         assert_eq!(place.path(), dead);
+        // An error leaves it for the next attempt, and only results remove it.
+        drop(place);
+        assert!(dead.exists());
+        let target = parent.path().join("board");
+        let again = StagingDir::begin(parent.path(), "board", Leftover::TakeOver, &target);
+        again.expect("a staging folder").0.remove();
+        assert!(!dead.exists());
     }
 }
