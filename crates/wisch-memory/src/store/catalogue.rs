@@ -50,7 +50,9 @@ impl Memory {
             .filter(|row| self.has_changed(&row.id, written))
             .map(|row| row.id.clone())
             .collect();
-        if !changed.is_empty() {
+        // Tables that are written now are older than a record from the future, and would be written by every call.
+        let is_past = |id: &String| self.time_of_record(id).is_none_or(|time| time <= begun);
+        if changed.iter().any(is_past) {
             tables = Tables::Stale;
         }
         let stays =
@@ -111,10 +113,15 @@ impl Memory {
         fs::metadata(current).and_then(|file| file.modified()).ok()
     }
 
+    /// When the record of an episode was written; `None` if it is missing.
+    fn time_of_record(&self, id: &str) -> Option<SystemTime> {
+        let record = fs::metadata(self.folder().join(id).join(RECORD_FILE));
+        record.and_then(|file| file.modified()).ok()
+    }
+
     /// Whether the record of an episode is missing, or not older than the tables.
     fn has_changed(&self, id: &str, tables: Option<SystemTime>) -> bool {
-        let record = fs::metadata(self.folder().join(id).join(RECORD_FILE));
-        let time = record.and_then(|file| file.modified()).ok();
+        let time = self.time_of_record(id);
         time.is_none() || time >= tables
     }
 

@@ -223,7 +223,7 @@ fn a_camera_that_fails_after_a_motion_loses_no_round() {
 }
 
 #[test]
-fn poses_that_contradict_the_joint_positions_are_doubted() {
+fn poses_that_contradict_the_joint_positions_raise_a_doubt() {
     /// Measures joint positions, and poses so far beside them [m].
     struct Beside(f64);
 
