@@ -7,7 +7,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 /// A folder with the template as board.toml.
-fn folder_with_task() -> TempDir {
+fn folder_with_template() -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     command(folder.path())
         .args(["new", "board.toml"])
@@ -15,6 +15,22 @@ fn folder_with_task() -> TempDir {
         .code(0);
     let schema = folder.path().join("wisch-task.schema.json");
     fs::remove_file(schema).expect("the schema beside it");
+    folder
+}
+
+/// A folder with the template as board.toml, planned by one strategy and without variants, which is much faster.
+fn folder_with_task() -> TempDir {
+    let folder = folder_with_template();
+    let file = folder.path().join("board.toml");
+    let mut text = fs::read_to_string(&file).expect("the template");
+    for (slow, fast) in [
+        ("strategy = \"best\"", "strategy = \"kde\""),
+        ("variants = 8", "variants = 1"),
+    ] {
+        assert!(text.contains(slow), "{slow}");
+        text = text.replace(slow, fast);
+    }
+    fs::write(&file, text).expect("written");
     folder
 }
 
@@ -111,7 +127,7 @@ fn the_json_summary_is_one_object_with_its_keys() {
 
 #[test]
 fn the_plans_of_all_strategies_are_listed_with_why_one_is_taken() {
-    let folder = folder_with_task();
+    let folder = folder_with_template();
     let few = ["--set", "plan.evaluations=2000"];
     let plan = |more: &[&str]| {
         let arguments = [&["plan", "board.toml"], &few[..], more].concat();
@@ -384,7 +400,7 @@ fn a_failed_run_leaves_earlier_results_alone() {
 
 #[test]
 fn new_does_not_overwrite_unless_forced() {
-    let folder = folder_with_task();
+    let folder = folder_with_template();
     let task = folder.path().join("board.toml");
     let template = fs::read_to_string(&task).expect("a task");
     let (code, printed, _) = output(folder.path(), &["new"]);
