@@ -12,6 +12,10 @@ run task="scenarios/chopping-board.toml" *options:
 test *options="--workspace":
     cargo test --locked {{options}}
 
+# The slow tests: statistics over many worlds and episodes, and random kills. They are no part of the tests of a commit.
+slow *options:
+    cargo test --workspace --locked -- --ignored {{options}}
+
 # Format and lints.
 lint:
     cargo fmt --all --check

@@ -2,17 +2,22 @@
 
 use serde_json::Value;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 fn wisch(folder: &Path, args: &[&str]) -> Output {
     eval(folder, "calibration", args)
 }
 
 fn eval(folder: &Path, what: &str, args: &[&str]) -> Output {
+    command(folder, what, args).output().expect("it runs")
+}
+
+fn command(folder: &Path, what: &str, args: &[&str]) -> Command {
     let mut command = Command::new(assert_cmd::cargo::cargo_bin!("wisch"));
-    command.current_dir(folder).args(["eval", what]);
-    command.args(args).output().expect("it runs")
+    command.current_dir(folder).args(["eval", what]).args(args);
+    command
 }
 
 /// A world on the chopping board, undisturbed, with a tool of another size.
@@ -102,11 +107,17 @@ fn a_world_is_evaluated_once_and_its_figures_stand() {
 #[test]
 fn seeds_of_several_uses_are_remarked_on() {
     let folder = tempfile::tempdir().expect("a folder");
-    let one = ["--first-seed", "999", "--worlds", "2", "--shard", "1/2"];
-    let output = wisch(folder.path(), &[&one[..], &["--out", "out"]].concat());
-    let err = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() <= Some(1), "{err}");
-    assert!(err.contains("these seeds mix several ranges"), "{err}");
+    let seeds = ["--first-seed", "999", "--worlds", "2"];
+    let mut mixed = command(folder.path(), "calibration", &seeds);
+    let mut run = mixed.stderr(Stdio::piped()).spawn().expect("it begins");
+    let mut lines = BufReader::new(run.stderr.take().expect("a pipe")).lines();
+    let remark = lines.next().expect("a line").expect("text");
+    run.kill().expect("it runs");
+    run.wait().expect("it ends");
+    assert!(
+        remark.contains("these seeds mix several ranges"),
+        "{remark}"
+    );
     let refused = wisch(folder.path(), &["--worlds", "2", "--shard", "3/2"]);
     let err = String::from_utf8_lossy(&refused.stderr);
     assert_eq!(refused.status.code(), Some(2), "{err}");

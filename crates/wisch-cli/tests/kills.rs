@@ -93,7 +93,7 @@ struct Tally {
 }
 
 #[test]
-#[ignore = "minutes; WISCH_KILLS says how many"]
+#[ignore = "slow: many cases; `just slow`; WISCH_KILLS says how many"]
 fn no_kill_leaves_a_process_or_takes_an_episode() {
     let kills = std::env::var("WISCH_KILLS").ok();
     let kills: usize = kills.map_or(KILLS, |kills| kills.parse().expect("a number of kills"));

@@ -159,6 +159,11 @@ fn a_run_is_kept_as_it_was_and_can_be_asked() {
         out.contains("round-1.parquet") && out.ends_with("1 fault\n"),
         "{out}"
     );
+    let told = memory.folder().join("told.jsonl");
+    fs::write(&told, "[\"semco:x\",\n").expect("a cut statement");
+    let (_, out, _) = wisch(folder.path(), &["memory", "verify"]);
+    assert!(out.contains("told.jsonl: line 1 is no statement"), "{out}");
+    fs::remove_file(told).expect("its end");
     let forgot = said(folder.path(), &["memory", "forget", &id]);
     assert_eq!(forgot, format!("forgot {id}\n"));
 
@@ -270,7 +275,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
     for (size, is_kept) in [("1m", true), ("16k", false)] {
         let script = format!(
             "mount -t tmpfs -o size={size} tmpfs disk
-             $0 run task.toml --rounds 1 --memory disk/episodes --out {size}; echo code $?
+             $0 run task.toml --rounds 1 --set \"strategy='kde'\" --memory disk/episodes --out {size}; echo code $?
              $0 memory verify --memory disk/episodes
              $0 memory list --memory disk/episodes --json"
         );

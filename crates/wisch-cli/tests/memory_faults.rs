@@ -9,7 +9,16 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin, episode_id};
 
 const YEAR: f64 = 31_557_600.0;
-const RUN: [&str; 6] = ["run", "task.toml", "--rounds", "1", "--touch-only", "--out"];
+const RUN: [&str; 8] = [
+    "run",
+    "task.toml",
+    "--rounds",
+    "1",
+    "--set",
+    "strategy='kde'",
+    "--touch-only",
+    "--out",
+];
 
 fn now() -> f64 {
     SystemTime::now()
@@ -98,14 +107,14 @@ fn can_mount() -> bool {
     can
 }
 
-/// `WISCH_DISKS` says how many sizes are tried, if not 200.
+/// `WISCH_DISKS` says how many sizes are tried, if not 40.
 #[cfg(target_os = "linux")]
 #[test]
 fn on_a_disk_that_is_full_at_any_write_a_log_is_imported_whole_or_not_at_all() {
     if !can_mount() {
         return;
     }
-    let count: usize = std::env::var("WISCH_DISKS").map_or(200, |count| count.parse().unwrap());
+    let count: usize = std::env::var("WISCH_DISKS").map_or(40, |count| count.parse().unwrap());
     let folder = crate::interpret::folder(crate::interpret::believed());
     let folder = folder.path();
     fs::create_dir(folder.join("disk")).unwrap();

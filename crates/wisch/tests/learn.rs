@@ -35,6 +35,7 @@ fn rounds(world: &World, seed: u64, count: u64) -> Vec<ObservedRound> {
 }
 
 #[test]
+#[ignore = "slow: many cases; `just slow`"]
 fn planted_parameters_are_recovered_from_twenty_episodes() {
     // None of them is what the knowledge base has: -1.05, 0.25, 0.065 m.
     let cases = [
@@ -77,6 +78,7 @@ fn planted_parameters_are_recovered_from_twenty_episodes() {
 }
 
 #[test]
+#[ignore = "slow: many cases; `just slow`"]
 fn thresholds_that_are_kept_are_known_by_what_is_wiped_twice() {
     let planted = Planted {
         mu: -0.8,
@@ -152,7 +154,7 @@ fn intervals_hold_what_was_planted() {
 
 /// Minutes: `cargo test --workspace --test main -- --ignored intervals_hold_nine_tenths --nocapture`.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "slow: many cases; `just slow`"]
 fn intervals_hold_nine_tenths_of_what_was_planted() {
     let held = coverage(1100, 100, 20, 60);
     for [held, of] in &held[..2] {
@@ -161,6 +163,7 @@ fn intervals_hold_nine_tenths_of_what_was_planted() {
 }
 
 #[test]
+#[ignore = "slow: many cases; `just slow`"]
 fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
     let planted = Planted {
         mu: -0.65,
