@@ -36,7 +36,7 @@ impl Progress {
     }
 
     /// Returns a function that clears the spinner; any thread can call it.
-    pub fn clearing(&self) -> impl FnOnce() + Send + use<> {
+    pub fn clearing(&self) -> impl Fn() + Send + use<> {
         let spinner = self.spinner.clone();
         move || spinner.finish_and_clear()
     }

@@ -190,6 +190,36 @@ fn a_signal_at_any_moment_stops_the_robot_first_and_loses_nothing() {
 }
 
 #[test]
+fn ctrl_c_in_the_first_round_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let names = || {
+        let entries = fs::read_dir(folder.path()).expect("a folder");
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        names.collect::<Vec<_>>()
+    };
+    let mut command = Command::new(program());
+    command.current_dir(folder.path()).stderr(Stdio::piped());
+    command.args(["run", "chopping-board", "--out", "out", "--no-memory"]);
+    // The file of events begins when Ctrl-C is heard; the first motion is planned for seconds then.
+    let run = command.args(["--events", "events"]);
+    let run = run.spawn().expect("it begins");
+    let since = Instant::now();
+    while !folder.path().join("events").exists() {
+        assert!(since.elapsed() < LONGEST, "nothing is planned");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    kill_process(Pid::from_child(&run), Signal::INT).expect("it runs");
+    let output = run.wait_with_output().expect("it ends");
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        err.contains("interrupted during the first round; nothing is kept"),
+        "{err}"
+    );
+    assert_eq!(output.status.code(), Some(130), "{err}");
+    assert_eq!(names(), ["events"], "{err}");
+}
+
+#[test]
 fn where_nobody_reads_the_events_any_more_the_robot_is_stopped_and_the_round_kept() {
     if !crate::executor::has_python() {
         return;

@@ -5,8 +5,10 @@ use crate::progress::Progress;
 use crate::terminal::{complain_of, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
+use std::fs::remove_dir_all;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 use wisch_io::PauseSwitch;
 
@@ -91,32 +93,75 @@ pub fn pause_on_signal() -> Result<Arc<PauseSwitch>, Failure> {
     Ok(Arc::clone(PAUSE.get_or_init(|| switch)))
 }
 
+/// A run that Ctrl-C ends at once.
+struct UnfinishedRun {
+    /// Number of rounds with a checkpoint.
+    kept: Arc<AtomicUsize>,
+    /// Folder of the results, as long as it can be removed.
+    staging: Option<PathBuf>,
+    clear: Box<dyn Fn() + Send>,
+}
+
+/// The run in progress: one at a time, as a command over several patches runs several times.
+static UNFINISHED: Mutex<Option<UnfinishedRun>> = Mutex::new(None);
+
+fn unfinished() -> MutexGuard<'static, Option<UnfinishedRun>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Installs a handler with which Ctrl-C ends the program at once and prints how to resume.
 ///
-/// The checkpoints stay, as after a kill. `kept`: number of rounds with a checkpoint; the caller increments the returned
-/// counter after each further checkpoint.
+/// The checkpoints stay, as after a kill. Without one, `staging`, the folder of the unfinished results, is removed until
+/// [`keep_unfinished_results`]. `kept`: number of rounds with a checkpoint; the caller increments the returned counter after each
+/// further checkpoint.
 ///
 /// # Errors
 /// If the system refuses the handler.
-pub fn say_how_to_resume(progress: &Progress, kept: usize) -> Result<Arc<AtomicUsize>, Failure> {
+pub fn say_how_to_resume(
+    progress: &Progress,
+    kept: usize,
+    staging: PathBuf,
+) -> Result<Arc<AtomicUsize>, Failure> {
     let kept = Arc::new(AtomicUsize::new(kept));
+    let before = unfinished().replace(UnfinishedRun {
+        kept: Arc::clone(&kept),
+        staging: Some(staging),
+        clear: Box::new(progress.clearing()),
+    });
+    if before.is_some() {
+        return Ok(kept);
+    }
     let interrupted = Arc::new(AtomicBool::new(false));
     let failed = |error| Failure::new(format!("Ctrl-C: {error}"));
     // The second Ctrl-C ends the program at once: its handler reads the flag before the first one sets it.
     register_conditional_shutdown(SIGINT, EXIT_INTERRUPTED, Arc::clone(&interrupted))
         .and_then(|_| register(SIGINT, Arc::clone(&interrupted)))
         .map_err(failed)?;
-    let clear = progress.clearing();
-    let counted = Arc::clone(&kept);
     std::thread::spawn(move || {
         while !interrupted.load(Ordering::SeqCst) {
             std::thread::sleep(PERIOD);
         }
-        clear();
-        complain_of(&interruption(counted.load(Ordering::SeqCst)));
+        // Held to the end, so that no results are put in place meanwhile.
+        let run = unfinished();
+        if let Some(run) = &*run {
+            (run.clear)();
+            let kept = run.kept.load(Ordering::SeqCst);
+            if let (0, Some(staging)) = (kept, &run.staging) {
+                // Again, if the run has written a file meanwhile; the next run removes what is left even so.
+                let _ = remove_dir_all(staging).or_else(|_| remove_dir_all(staging));
+            }
+            complain_of(&interruption(kept));
+        }
         std::process::exit(EXIT_INTERRUPTED)
     });
     Ok(kept)
+}
+
+/// Lets Ctrl-C keep the folder of unfinished results: it is about to be put in place.
+pub fn keep_unfinished_results() {
+    if let Some(run) = &mut *unfinished() {
+        run.staging = None;
+    }
 }
 
 fn interruption(kept: usize) -> Failure {

@@ -1,7 +1,7 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with their records.
 
 use super::PROGRAM;
-use super::interrupt::{pause_on_signal, say_how_to_resume};
+use super::interrupt::{keep_unfinished_results, pause_on_signal, say_how_to_resume};
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
@@ -72,7 +72,11 @@ pub fn execute(
     }
     // A run with a stop flag ends cleanly and is not resumed; neither is a run of an external executor.
     let kept_count = match stop {
-        None => Some(say_how_to_resume(job.progress, killed.len())?),
+        None => Some(say_how_to_resume(
+            job.progress,
+            killed.len(),
+            job.folder.staging_path().to_owned(),
+        )?),
         Some(_) => None,
     };
     if let Some(path) = &args.events {
@@ -97,6 +101,7 @@ pub fn execute(
         &taken_over,
         kept_count.as_ref(),
     );
+    keep_unfinished_results();
     sinks.record.end_bags();
     if let Some(error) = session.finish_failure() {
         let text = format!("the robot is not handed back, because finish failed: {error}");

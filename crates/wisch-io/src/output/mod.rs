@@ -244,6 +244,11 @@ impl OutputFolder {
         &self.found
     }
 
+    /// The folder, beside the target, that holds results and checkpoints until they are complete.
+    pub fn staging_path(&self) -> &Path {
+        self.staging.path()
+    }
+
     /// The folder of the run's checkpoints.
     pub fn checkpoint_folder(&self) -> PathBuf {
         self.staging.path().join(STATE)
