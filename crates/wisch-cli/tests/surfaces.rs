@@ -336,3 +336,20 @@ fn wrong_input_is_an_error_with_place_and_limit() {
     let files = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(files, 3, "nothing is written");
 }
+
+#[test]
+fn an_object_that_ends_at_the_surface_is_remarked_on_unless_it_carries_it() {
+    let folder = crate::program::folder_with("arm-board.toml");
+    let file = folder.path().join("task.toml");
+    let (_, _, err) = wisch(folder.path(), &["check", "task.toml"]);
+    assert_eq!(err, "");
+    let text = fs::read_to_string(&file).unwrap();
+    let alone = text.replace("carried_by = \"board\"\n", "");
+    assert_ne!(alone, text);
+    fs::write(file, alone).unwrap();
+    let (_, _, err) = wisch(folder.path(), &["check", "task.toml"]);
+    assert!(
+        err.contains("\"board\" ends at the surface") && err.contains("add carried_by = \"board\""),
+        "{err}"
+    );
+}

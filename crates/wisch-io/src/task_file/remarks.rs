@@ -1,8 +1,8 @@
 //! Remarks on a resolved task: what of its files was taken, and what is probably not meant.
 
 use super::extent::{OBJECT_EXTENT, USUAL_OBJECT};
-use wisch::geometry::{Bounds2, LikelyUnit, Mesh, Sheet};
-use wisch::represent::{SurfaceShape, Task};
+use wisch::geometry::{Bounds2, LikelyUnit, Mesh, Point3, Sheet};
+use wisch::represent::{SceneObject, ScenePart, SurfaceShape, Task};
 
 /// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
 /// the tool's collision sphere [1].
@@ -12,6 +12,8 @@ const BESIDE_CENTRE: f64 = 0.25;
 const OFF_CONTACT_PLANE: [f64; 2] = [1e-3, 0.1];
 /// Distance of the points of a treated surface above which a remark is made, over the length of the tool across its lanes [1].
 const WIDEST_SPACING: f64 = 0.2;
+/// Largest height above or below a flat surface at which an obstacle counts as ending there [m].
+const LARGEST_STEP: f64 = 5e-3;
 /// Ratio of a scene mesh's length to the surface's length above which a remark is made [1].
 const PER_SURFACE: f64 = 10.0;
 
@@ -23,7 +25,38 @@ pub(crate) fn task_remarks(task: &Task) -> Vec<String> {
     remarks.extend(underside_remark(task));
     remarks.extend(points_remark(task));
     remarks.extend(unit_remarks(task));
+    remarks.extend(carrier_remarks(task));
     remarks
+}
+
+/// Returns remarks on obstacles that end at a flat surface which no object carries: they may be what carries it.
+fn carrier_remarks(task: &Task) -> Vec<String> {
+    let is_carried = (task.scene.iter()).any(|object| object.part == ScenePart::Carrier);
+    let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
+    let Some(bounds) = bounds.filter(|_| task.surface.shape.is_plane() && !is_carried) else {
+        return Vec::new();
+    };
+    let middle = nalgebra::center(&bounds.min, &bounds.max);
+    let obstacles = task.obstacles().zip(task.obstacles_in_surface());
+    let below = obstacles.filter(|(_, mesh)| {
+        let lies_below = |corners: [Point3; 3]| {
+            let sides = [0, 1, 2].map(|i| {
+                let (from, to) = (corners[i].xy(), corners[(i + 1) % 3].xy());
+                (to - from).perp(&(middle - from))
+            });
+            let is_covered =
+                sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0);
+            is_covered && corners.iter().all(|corner| corner.z.abs() <= LARGEST_STEP)
+        };
+        mesh.bounds().1.z <= LARGEST_STEP && mesh.corners().any(lies_below)
+    });
+    let remark = |(object, _): (&SceneObject, _)| {
+        let name = &object.name;
+        format!(
+            "object {name:?} ends at the surface, which no object carries: the tool keeps clear of it as of any obstacle; if it lies under the surface and carries it, add carried_by = {name:?} to [surface]"
+        )
+    };
+    below.map(remark).collect()
 }
 
 /// Returns remarks on what of a mesh is the surface: the part that was taken, and a surface smaller than the tool.
