@@ -405,10 +405,13 @@ fn a_plan_for_another_pose_tool_or_goal_is_used_with_a_remark() {
         serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
     plan["unreachable_share"] = 0.7.into();
     plan["tcp_path"][0]["height_m"] = 3.0.into();
-    let predict = |plan: &serde_json::Value| {
-        fs::write(&file, plan.to_string()).unwrap();
+    let predict_file = || {
         let words = ["predict", "chopping-board", "--plan", "p/plan.json"];
         wisch(folder.path(), &[&words[..], &["--out", "o"]].concat())
+    };
+    let predict = |plan: &serde_json::Value| {
+        fs::write(&file, plan.to_string()).unwrap();
+        predict_file()
     };
     let (_, out, errors) = predict(&plan);
     assert!(errors.contains("tcp_path differs"), "{errors}");
@@ -416,6 +419,13 @@ fn a_plan_for_another_pose_tool_or_goal_is_used_with_a_remark() {
     plan.as_object_mut().unwrap().remove("tcp_path");
     let (_, _, errors) = predict(&plan);
     assert!(!errors.contains("tcp_path"), "{errors}");
+    plan["strokes"][0]["surface_from_tool"][0]["heading_rad"] = 164.7.into();
+    let (_, _, errors) = predict(&plan);
+    let degrees = "a heading_rad of 164.7 is 26 turns; headings are read in radians";
+    assert!(errors.contains(degrees), "{errors}");
+    // An editor of Windows.
+    fs::write(&file, format!("\u{feff}{plan}")).unwrap();
+    assert!(predict_file().0 < 2);
 }
 
 #[test]

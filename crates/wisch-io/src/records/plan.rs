@@ -356,6 +356,8 @@ impl PlanRecord {
             format: String,
             schema: u32,
         }
+        // Editors of Windows write a byte-order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let syntax = |error: serde_json::Error| PlanRecordError::Syntax {
             line: error.line(),
             column: error.column(),

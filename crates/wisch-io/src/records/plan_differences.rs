@@ -3,6 +3,7 @@
 use super::plan::WaypointRecord;
 use super::{GoalRecord, PlanRecord};
 use nalgebra::{Quaternion, UnitQuaternion};
+use std::f64::consts::TAU;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::plan::{Plan, TcpWaypoint};
 use wisch::represent::Task;
@@ -11,11 +12,13 @@ use wisch::represent::Task;
 const SAME_POSITION: f64 = 1e-3;
 const SAME_LENGTH: f64 = 1e-4;
 const SAME_ANGLE: f64 = 1e-3;
+/// Number of turns of a heading up to which it is taken for radians.
+const MOST_TURNS: f64 = 2.0;
 
 impl PlanRecord {
     /// Describes in sentences in what the task of the record's `plan` differs from `task`, where the plan is usable for both: the
-    /// pose of the surface, the size of the tool, and the goal; and whether its path differs from that of its strokes. Empty if
-    /// nothing differs.
+    /// pose of the surface, the size of the tool, and the goal; whether its path differs from that of its strokes; and whether a
+    /// heading has several turns. Empty if nothing differs.
     ///
     /// ```
     /// # fn describe(record: &wisch_io::PlanRecord, plan: &wisch::plan::Plan, task: &wisch::represent::Task) {
@@ -26,12 +29,27 @@ impl PlanRecord {
     /// ```
     pub fn describe_differences(&self, plan: &Plan, task: &Task) -> Vec<String> {
         let differences = [
+            self.describe_many_turns(),
             self.describe_other_path(plan),
             self.describe_moved_surface(task),
             self.describe_other_tool(task),
             self.describe_other_goal(task),
         ];
         differences.into_iter().flatten().collect()
+    }
+
+    /// States headings of several turns: they may be degrees.
+    fn describe_many_turns(&self) -> Option<String> {
+        let poses = self
+            .strokes
+            .iter()
+            .flat_map(|stroke| &stroke.surface_from_tool);
+        let heading = poses
+            .map(|pose| pose.heading_rad)
+            .max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+        (heading.abs() > MOST_TURNS * TAU).then(|| {
+            format!("a heading_rad of {heading} is {:.0} turns; headings are read in radians, not in degrees", heading / TAU)
+        })
     }
 
     fn describe_other_path(&self, plan: &Plan) -> Option<String> {
