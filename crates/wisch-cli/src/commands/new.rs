@@ -1,5 +1,6 @@
 //! `wisch new` and `wisch schema`: a commented task file, and the JSON Schema with which editors check it.
 
+use super::words::shell_word;
 use crate::args::{GlobalArgs, NewArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
@@ -50,26 +51,4 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         ))?;
     }
     Ok(Outcome::Done)
-}
-
-/// Writes a text as one word of a shell: in single quotes, if it has other characters than those of plain file names.
-fn shell_word(text: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "_-./+:@%,=".contains(c);
-    if !text.is_empty() && text.chars().all(is_plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shell_word;
-
-    #[test]
-    fn names_with_spaces_are_quoted() {
-        assert_eq!(shell_word("a/b-1.toml"), "a/b-1.toml");
-        assert_eq!(shell_word("ü b.toml"), "'ü b.toml'");
-        assert_eq!(shell_word("it's.toml"), "'it'\\''s.toml'");
-    }
 }

@@ -282,7 +282,12 @@ fn report(
         text += &format!("  {:<8} {group}\n", group.severity().as_str());
     }
     if findings.is_empty() {
-        text += "  no findings\n";
+        text += match srdf {
+            Some(_) => "  no findings\n",
+            None => {
+                "  no findings in the URDF; wisch robot setup writes an SRDF, and checks the robot further\n"
+            }
+        };
     }
     text
 }

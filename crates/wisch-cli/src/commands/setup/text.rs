@@ -3,7 +3,7 @@
 use super::proposal::{Proposal, is_mobile};
 use crate::args::RobotSetupArgs;
 use crate::commands::PROGRAM;
-use crate::commands::words::{counted, internal};
+use crate::commands::words::{counted, internal, shell_word};
 use crate::failure::Failure;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_3;
@@ -480,16 +480,21 @@ pub fn next_steps(
     proposal: &Proposal,
     out: &Path,
 ) -> String {
-    let file = args.file.display();
+    let file = path_word(&args.file);
     let packages = args.packages.iter();
     let packages: String = packages
-        .map(|(name, folder)| format!(" --package {name}={}", folder.display()))
+        .map(|(name, folder)| {
+            format!(
+                " --package {}",
+                shell_word(&format!("{name}={}", folder.display()))
+            )
+        })
         .collect();
     let is_beside = out == args.file.with_extension("srdf");
     let srdf = if is_beside {
         String::new()
     } else {
-        format!(" --srdf {}", out.display())
+        format!(" --srdf {}", path_word(out))
     };
     let check = format!("wisch robot check {file}{srdf}{packages}");
     if !is_beside {
@@ -501,13 +506,13 @@ pub fn next_steps(
     }
     let settings = args.settings.iter();
     let settings: String = settings
-        .map(|(key, value)| format!(" --set '{key}={value}'"))
+        .map(|(key, value)| format!(" --set {}", shell_word(&format!("{key}={value}"))))
         .collect();
     let [driven, fixed] = FIRST_TASKS;
     let (held, _) = held_posture(robot);
     let is_on_table = matches!(find_table(robot, &proposal.arms, &held), Ok(Some(_)));
     let task = match &args.task {
-        Some(task) => task.display().to_string(),
+        Some(task) => path_word(task),
         None if is_mobile(robot, &proposal.arms) => driven.to_owned(),
         None if is_on_table => fixed.to_owned(),
         None => {
@@ -517,4 +522,9 @@ pub fn next_steps(
         }
     };
     format!("next: {check}, then wisch follow {task} --robot {file}{packages}{settings}\n")
+}
+
+/// Writes a path as one word of a shell.
+fn path_word(path: &Path) -> String {
+    shell_word(&path.display().to_string())
 }
