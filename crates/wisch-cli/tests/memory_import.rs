@@ -72,6 +72,21 @@ fn a_log_that_is_imported_twice_is_one_episode() {
 }
 
 #[test]
+fn a_log_that_several_programs_import_at_once_is_one_episode() {
+    let folder = folder(believed());
+    let folder = folder.path();
+    let outcomes: Vec<(i32, String, String)> = std::thread::scope(|scope| {
+        let imports: Vec<_> = (0..4)
+            .map(|_| scope.spawn(|| import(folder, &[])))
+            .collect();
+        imports.into_iter().map(|one| one.join().unwrap()).collect()
+    });
+    let memory = Memory::open(&folder.join("episodes")).unwrap();
+    assert_eq!(memory.episodes().unwrap().len(), 1, "{outcomes:?}");
+    assert!(outcomes.iter().all(|(code, ..)| *code == 0), "{outcomes:?}");
+}
+
+#[test]
 fn the_doubts_of_a_log_are_kept_and_an_unknown_performance_is_no_failure() {
     // The tool wiped a hand's breadth above where the task has the surface.
     let folder = folder(Pose::translation(0.6, 0.1, 0.85));
@@ -135,6 +150,9 @@ fn a_log_whose_times_begin_at_0_has_no_date() {
     let (_, listed, _) = wisch(folder, &["memory", "list"]);
     assert!(listed.contains("date unknown"), "{listed}");
     assert!(!listed.contains("1970-01-01 "), "{listed}");
+    let (_, listed, _) = wisch(folder, &["memory", "list", "--json"]);
+    let listed: Json = serde_json::from_str(&listed).unwrap();
+    assert!(listed["start_s"].is_null(), "{listed}");
 }
 
 #[test]

@@ -27,6 +27,7 @@ tf_mng_trajectory(O, S, E, Trajectory) :- object_trajectory(O, [S, E], dt(0.1), 
 telemetry(Channel, When, Statistic, Value) :- telemetry_in(_, Channel, When, Statistic, Value).
 
 telemetry_in(Episode, Channel, When, Statistic, Value) :-
+    ( var(Channel) -> unknown_yet('the channel of telemetry') ; var(Statistic) -> unknown_yet('the statistic of telemetry') ; true ),
     during_what(Episode, When, S, E, Of),
     need(telemetry(Channel, S, E, Statistic, Of), Found),
     episode_and(Episode, Value, Found).

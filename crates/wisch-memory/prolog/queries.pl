@@ -4,12 +4,14 @@
 
 low_performance(Action, Performance) :-
     has_data_value(Action, performance =< 0.8),
-    value_of(Action, 'semco:performance', Performance).
+    value_of(Action, 'semco:performance', Performance),
+    Performance =< 0.8.
 
 low_performance_round(Round, Performance) :-
     has_data_value(Round, performance =< 0.8),
     of_class(Round, 'semco:WipingRound'),
-    value_of(Round, 'semco:performance', Performance).
+    value_of(Round, 'semco:performance', Performance),
+    Performance =< 0.8.
 
 final_performance(Episode, Performance) :-
     wiping_of(Episode, Action),

@@ -2,6 +2,7 @@
 
 pub(crate) mod cache;
 
+use crate::id::is_date;
 use crate::record::{EpisodeRecord, Value, individual_name};
 use std::collections::HashMap;
 
@@ -85,6 +86,8 @@ impl Interned {
     }
 }
 
+/// Largest number of episodes or values that a remark names.
+pub(crate) const MOST_NAMED: usize = 3;
 /// Stands for an individual without a parent.
 const NONE: u32 = u32::MAX;
 
@@ -200,6 +203,27 @@ impl Catalogue {
     /// Episodes that the catalogue lacks because they cannot be read, each with the reason.
     pub fn omitted_episodes(&self) -> &[String] {
         &self.left_out
+    }
+
+    /// States which episodes have times that are no dates, if any: they compare with no time of another episode.
+    pub(crate) fn describe_undated(&self) -> Option<String> {
+        let undated = self.episodes.iter().filter(|row| !is_date(row.interval[0]));
+        let ids: Vec<&str> = undated.map(|row| row.id.as_str()).collect();
+        let first = ids
+            .iter()
+            .take(MOST_NAMED)
+            .copied()
+            .collect::<Vec<_>>()
+            .join(", ");
+        let more = ids.len().saturating_sub(MOST_NAMED);
+        let rest = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        (!ids.is_empty()).then(|| format!(
+            "the dates of these episodes are unknown, their times count from the start of each log: {first}{rest}"
+        ))
     }
 
     /// Records that an episode cannot be read.

@@ -34,6 +34,19 @@ pub fn local_date_and_time(time: f64) -> String {
     zoned.strftime("%Y-%m-%d %H:%M:%S %:z").to_string()
 }
 
+/// Earliest start of an episode that counts as a date [s since 1970]: the year 1990. Logs of simulators often count from 0.
+const EARLIEST_DATE_S: f64 = 6.3e8;
+
+/// Returns whether a time is a date, and not a count from the start of a log. `time`: seconds since 1970.
+///
+/// ```
+/// assert!(wisch_memory::is_date(1_795_309_772.0));
+/// assert!(!wisch_memory::is_date(12.5));
+/// ```
+pub fn is_date(time: f64) -> bool {
+    time >= EARLIEST_DATE_S
+}
+
 /// Formats a time [s since 1970] by a `strftime` format (UTC), cut to whole seconds.
 pub(crate) fn in_utc(time: f64, format: &str) -> String {
     timestamp(time).strftime(format).to_string()

@@ -23,7 +23,7 @@ pub mod view;
 
 pub use catalogue::{Catalogue, CatalogueNode, IndividualId};
 pub use frames::{FrameError, Frames, LOG_COLUMNS, PoseAt, RoundScene, Sampling, StoredPose};
-pub use id::{date_and_time, episode_id, local_date_and_time};
+pub use id::{date_and_time, episode_id, is_date, local_date_and_time};
 pub use known_round::{
     CUT_REMARK, KnownRound, RecordedMotion, is_same_motion, may_be_same_observations,
 };

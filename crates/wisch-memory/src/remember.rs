@@ -194,7 +194,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
     let motion = &round.motion;
     describe_touch(individual, &motion.task, round.interpretation);
     individual.set_number("semco:round", motion.number as f64);
-    individual.set_number("semco:strokes", motion.followed.strokes.len() as f64);
+    individual.set_number("semco:strokes", motion.plan.strokes.len() as f64);
     individual.set_number(
         "semco:predictedPerformance",
         motion.prediction.performance.ratio(),

@@ -68,7 +68,18 @@ pub fn individual_of(name: &str) -> Option<&str> {
 /// # Errors
 /// A description of the fault.
 pub fn parse(line: &str) -> Result<Statement, String> {
-    let statement: Statement = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    // The caller names the line; serde_json would count from this one.
+    let in_line = |error: serde_json::Error| match error.is_eof() {
+        true => "it ends too early".to_owned(),
+        false => {
+            let text = error.to_string();
+            let what = text
+                .rsplit_once(" at line ")
+                .map_or(text.as_str(), |(what, _)| what);
+            format!("{what}, column {}", error.column())
+        }
+    };
+    let statement: Statement = serde_json::from_str(line).map_err(in_line)?;
     let (subject, property, object) = &statement;
     match object {
         serde_json::Value::String(_) | serde_json::Value::Number(_) => Ok(statement),

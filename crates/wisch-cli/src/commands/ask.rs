@@ -96,15 +96,15 @@ impl Asked {
                 .with_help("wisch run creates a memory; choose another folder with --memory DIR")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
+        let asker = asker(args, global, memory.clone(), Arc::clone(&catalogue))?;
         if !global.quiet {
-            for why in catalogue.omitted_episodes() {
-                remark(&format!(
-                    "{why}: left out; wisch memory verify lists damaged files"
-                ));
-            }
+            asker
+                .remarks_on_memory()
+                .iter()
+                .for_each(|what| remark(what));
         }
         Ok(Self {
-            asker: asker(args, global, memory.clone(), Arc::clone(&catalogue))?,
+            asker,
             memory,
             catalogue,
         })
@@ -143,7 +143,8 @@ fn answer(
         .ask(query)
         .map_err(|error| failure(&error, query))?;
     if args.json {
-        print(&format!("{}\n", in_json(query, &answers)))?;
+        let on_memory = asked.asker.remarks_on_memory();
+        print(&format!("{}\n", in_json(query, &answers, &on_memory)))?;
     } else if args.csv {
         print(&in_csv(&answers))?;
     } else if !global.quiet {
@@ -338,7 +339,8 @@ fn in_words(answers: &Answers) -> String {
     text
 }
 
-fn in_json(query: &str, answers: &Answers) -> Value {
+fn in_json(query: &str, answers: &Answers, on_memory: &[String]) -> Value {
+    let remarks: Vec<&String> = on_memory.iter().chain(&answers.remarks).collect();
     let rows = answers.rows.iter().map(|row| {
         let bound = answers.names.iter().zip(row);
         let bound: Map<String, Value> = bound
@@ -352,7 +354,7 @@ fn in_json(query: &str, answers: &Answers) -> Value {
         "answers": rows.collect::<Vec<_>>(),
         "is_cut": answers.is_cut,
         "printed": answers.printed,
-        "remarks": answers.remarks,
+        "remarks": remarks,
     })
 }
 

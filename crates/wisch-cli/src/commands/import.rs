@@ -2,7 +2,6 @@
 
 use super::PROGRAM;
 use super::interpret::{Interpreted, goal, interpret_read, read_log, task_args};
-use super::memory::is_date;
 use super::prepare;
 use super::words::{counted, json, percent};
 use crate::args::{GlobalArgs, ImportArgs, LoggedArgs};
@@ -23,7 +22,7 @@ use wisch_memory::catalogue::entries;
 use wisch_memory::{
     CUT_REMARK, Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, KnownRound, LOG_COLUMNS,
     Mark, Memory, MemoryError, Origin, RecordedMotion, RoundObservations, RoundScene, Value,
-    remember_log,
+    is_date, remember_log,
 };
 use wisch_record::{RecordError, attach_task, begin_episode};
 use wisch_telemetry::{Log, LogOptions, read};
@@ -60,8 +59,19 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     }
     let interpreted = interpret_read(source, &prepared, (log, goal), None, &progress)?;
     progress.say("keeping the episode");
+    // Another program may have imported the log meanwhile.
+    let alone = memory.wait_for_imports().map_err(cannot_keep)?;
+    if let Some(id) = episode_of(&memory, &digest)? {
+        drop((alone, progress));
+        return report_known(&memory, &id, &reading, args, global);
+    }
+    if let Some(known) = known_round(&memory, source, &interpreted.log)? {
+        drop((alone, progress));
+        let read = (&prepared, &*reading, &interpreted.log);
+        return report_known_round(&memory, &known, read, args, global);
+    }
     let record = keep(args, &memory, digest, (&prepared, &reading), &interpreted)?;
-    drop(progress);
+    drop((alone, progress));
 
     let read = &interpreted.record;
     // With a fitted plane, the log's remarks include the doubts.

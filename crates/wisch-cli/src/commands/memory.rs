@@ -7,10 +7,11 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print, remark};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use wisch_memory::ask::Assertions;
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{
     Catalogue, CatalogueNode, Episode, EpisodeRecord, Individual, IndividualId, Memory,
-    MemoryError, Value, local_date_and_time,
+    MemoryError, Value, is_date, local_date_and_time,
 };
 
 /// An episode in the list.
@@ -18,7 +19,10 @@ use wisch_memory::{
 struct Listed<'a> {
     id: &'a str,
     task: &'a str,
-    start_s: f64,
+    /// When it began [s since 1970]; null if its times are no dates.
+    start_s: Option<f64>,
+    #[serde(skip)]
+    end: f64,
     duration_s: f64,
     rounds: usize,
     /// Estimated performance after the last round; absent without a wiping action.
@@ -46,8 +50,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
         .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
         .collect();
     // Simulation runs faster than the clock, so the starts of two episodes can be out of sequence; the ends are not.
-    let end = |one: &Listed<'_>| one.start_s + one.duration_s;
-    listed.sort_by(|a, b| end(a).total_cmp(&end(b)).then(a.id.cmp(b.id)));
+    listed.sort_by(|a, b| a.end.total_cmp(&b.end).then(a.id.cmp(b.id)));
     let mut text = String::new();
     if args.json {
         for one in &listed {
@@ -91,7 +94,8 @@ impl<'a> Listed<'a> {
         Self {
             id: &row.id,
             task: &row.task,
-            start_s: row.interval[0],
+            start_s: Some(row.interval[0]).filter(|start| is_date(*start)),
+            end: row.interval[1],
             duration_s: row.interval[1] - row.interval[0],
             rounds: row.rounds.len(),
             performance,
@@ -131,7 +135,10 @@ fn table(listed: &[Listed<'_>]) -> String {
     for one in listed {
         let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
         let duration = format!("{:.1} s", one.duration_s);
-        let (goal, began) = (one.goal, date_if_known(one.start_s));
+        let (goal, began) = (
+            one.goal,
+            one.start_s.map_or_else(undated, local_date_and_time),
+        );
         text += &format!(
             "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>6}  {performance:>11}  {goal:<14}  {:>10}\n",
             one.id, one.task, one.rounds, one.human_collisions
@@ -140,21 +147,14 @@ fn table(listed: &[Listed<'_>]) -> String {
     text + &format!("{}\n", counted(listed.len(), "episode"))
 }
 
-/// Earliest start of an episode that counts as a date [s since 1970]: the year 1990. Logs of simulators often count from 0.
-const EARLIEST_DATE_S: f64 = 6.3e8;
-
-/// Whether a time [s since 1970] is a date, and not a count from the start of a log.
-pub(super) fn is_date(time: f64) -> bool {
-    time >= EARLIEST_DATE_S
-}
-
 /// Formats a time [s since 1970] as a local date and time, if it is one.
 fn date_if_known(time: f64) -> String {
-    if is_date(time) {
-        local_date_and_time(time)
-    } else {
-        "date unknown".to_owned()
-    }
+    let date = Some(time).filter(|time| is_date(*time));
+    date.map_or_else(undated, local_date_and_time)
+}
+
+fn undated() -> String {
+    "date unknown".to_owned()
 }
 
 /// Shows an episode.
@@ -262,6 +262,11 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     let faults = memory.verify().map_err(broken)?;
     let mut faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
     faults.extend(memory.ignored_episodes().map_err(broken)?);
+    faults.extend(
+        Assertions::read(memory.folder())
+            .err()
+            .map(|error| error.to_string()),
+    );
     faults.extend(dated_ahead(&memory.catalogue().map_err(broken)?));
     let is_well = faults.is_empty();
     if args.json {

@@ -3,6 +3,7 @@
 use super::error::{AskError, QueryFault};
 use super::term::Term;
 use crate::catalogue::Catalogue;
+use crate::ontology::Ontology;
 use crate::statements::{FILE, Statement, append, complete_length, individual_of, parse};
 use std::fs;
 use std::io;
@@ -33,7 +34,13 @@ impl Assertions {
             .lines()
             .enumerate()
             .map(|(number, line)| {
-                parse(line).map_err(|what| failed(&file, format!("line {}: {what}", number + 1)))
+                parse(line).map_err(|what| {
+                    let number = number + 1;
+                    failed(
+                        &file,
+                        format!("line {number} is no statement ({what}); delete this line"),
+                    )
+                })
             });
         let statements: Vec<Statement> = statements.collect::<Result<_, _>>()?;
         Ok(Self {
@@ -85,6 +92,13 @@ impl Assertions {
                 None => return Err(QueryFault::no_name(other)),
             },
         };
+        let range = Ontology::load()
+            .term(property)
+            .and_then(|term| term.range.as_deref());
+        if let (Some("xsd:double" | "xsd:integer"), false) = (range, value.is_number()) {
+            let what = format!("{property} is a number, not {object}: tell stored nothing");
+            return Err(QueryFault::Prolog { what });
+        }
         let statement = (subject.to_owned(), property.to_owned(), value);
         let fact = fact(&statement);
         self.statements.push(statement);
@@ -123,6 +137,20 @@ impl Assertions {
             .iter()
             .filter(|(subject, ..)| subject == name);
         about.map(fact).collect()
+    }
+
+    /// Returns the properties of the statements about a thing.
+    pub fn properties_of(&self, name: &str) -> impl Iterator<Item = &str> {
+        let about = self
+            .statements
+            .iter()
+            .filter(move |(subject, ..)| subject == name);
+        about.map(|(_, property, _)| property.as_str())
+    }
+
+    /// Returns all statements.
+    pub(super) fn all(&self) -> &[Statement] {
+        &self.statements
     }
 
     /// Whether any statement has this property.

@@ -113,13 +113,28 @@ impl SentFacts {
         facts
     }
 
-    /// Returns people's statements about a thing.
+    /// Returns people's statements about a thing, with what is recorded of their properties: an engine that knows one value
+    /// of a property asks for no other.
     pub fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
-        if self.assertions.insert(name.to_owned()) {
-            known.assertions.statements_about(name)
-        } else {
-            Vec::new()
+        if !self.assertions.insert(name.to_owned()) {
+            return Vec::new();
         }
+        let mut facts = known.assertions.statements_about(name);
+        for property in known.assertions.properties_of(name) {
+            facts.extend(self.read_recorded(known, name, property));
+        }
+        facts
+    }
+
+    /// Returns the recorded values of a property of a thing, if the engine does not have them.
+    fn read_recorded(&mut self, known: &Knowledge, name: &str, property: &str) -> Vec<Term> {
+        let catalogue = &known.catalogue;
+        let id = (known.names.individual(name)).filter(|id| self.is_new_value(property, *id));
+        let recorded = id
+            .into_iter()
+            .flat_map(|id| values(catalogue, property, id));
+        let facts = recorded.map(|value| value_row(Term::atom(name), property, value));
+        facts.collect()
     }
 
     fn is_new_value(&mut self, property: &str, id: IndividualId) -> bool {
@@ -143,6 +158,11 @@ impl SentFacts {
             if values.peek().is_some() && self.is_new_value(property, other) {
                 let name = name_of(catalogue, other);
                 facts.extend(values.map(|value| value_row(name.clone(), property, value)));
+                // The engine asks for no other value of the neighbour.
+                facts.extend(
+                    name.as_atom()
+                        .map_or_else(Vec::new, |name| self.assertions(known, name)),
+                );
             }
         }
         facts

@@ -80,6 +80,23 @@ impl Host {
         }
     }
 
+    /// States which episodes have no date, if any.
+    pub fn describe_undated(&self) -> Option<String> {
+        self.known.catalogue.describe_undated()
+    }
+
+    /// Returns what is to be known of the memory whatever the query.
+    pub fn remarks_on_memory(&self) -> Vec<String> {
+        let catalogue = &self.known.catalogue;
+        let mut remarks: Vec<String> = catalogue
+            .omitted_episodes()
+            .iter()
+            .map(|why| format!("{why}: left out; wisch memory verify lists damaged files"))
+            .collect();
+        remarks.extend(self.known.describe_additions());
+        remarks
+    }
+
     /// Returns the text that the query has printed, and clears it.
     pub fn take_printed(&mut self) -> String {
         std::mem::take(&mut self.printed)
@@ -386,7 +403,18 @@ impl Host {
             }
             _ => None,
         });
-        Ok((matching.map(|(id, _)| *id).collect(), asserted.collect()))
+        let found: Vec<IndividualId> = matching.map(|(id, _)| *id).collect();
+        // Once each, with however many values.
+        let mut others: Vec<Term> = Vec::new();
+        for name in asserted {
+            let id = name
+                .as_atom()
+                .and_then(|name| self.known.names.individual(name));
+            if !others.contains(&name) && id.is_none_or(|id| !found.contains(&id)) {
+                others.push(name);
+            }
+        }
+        Ok((found, others))
     }
 
     fn last_episode(&self) -> Vec<Term> {

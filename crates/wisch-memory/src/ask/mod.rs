@@ -41,6 +41,18 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+/// Predicates whose answers compare the times of episodes, or state them as dates.
+const COMPARING_TIMES: [&str; 8] = [
+    "during",
+    "is_at",
+    "last_episode",
+    "local_time",
+    "since",
+    "telemetry",
+    "tf",
+    "until",
+];
+
 /// The answers to a query, with what it printed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answers {
@@ -54,7 +66,7 @@ pub struct Answers {
     pub views: Vec<Term>,
     /// Text that the query printed.
     pub printed: String,
-    /// Remarks on episodes that are left out, with the reason.
+    /// Remarks on episodes that are left out, with the reason, and on episodes without a date where times are compared.
     pub remarks: Vec<String>,
 }
 
@@ -119,6 +131,12 @@ impl QuerySession {
         }
     }
 
+    /// Returns what is to be known of the memory whatever the query: episodes that are left out, and values that people have added
+    /// besides recorded ones.
+    pub fn remarks_on_memory(&self) -> Vec<String> {
+        self.host.remarks_on_memory()
+    }
+
     /// Sets whether this program joins conjunctions of goals that only look facts up (default: yes). The answers are
     /// the same.
     pub fn join_facts(&mut self, does: bool) {
@@ -145,6 +163,9 @@ impl QuerySession {
     /// each of these.
     pub fn ask(&mut self, query: &str) -> Result<Answers, AskError> {
         let mut result = self.converse(query);
+        if let (Ok(answers), true) = (&mut result, compares_times(query)) {
+            answers.remarks.extend(self.host.describe_undated());
+        }
         self.host.end_query();
         self.host.take_printed();
         self.host.take_remarks();
@@ -243,6 +264,14 @@ impl QuerySession {
             }
         }
     }
+}
+
+/// Whether a query compares the times of episodes.
+fn compares_times(query: &str) -> bool {
+    let words = query.split(|c: char| !c.is_alphanumeric() && c != '_');
+    words
+        .into_iter()
+        .any(|word| COMPARING_TIMES.contains(&word))
 }
 
 /// Returns the predicates that queries may call, this memory's own before Prolog's.

@@ -4,9 +4,9 @@ use super::assertions::Assertions;
 use super::intervals::{IntervalIndex, Relation};
 use super::names::Names;
 use super::reply::AnswerRows;
-use super::rows::{individual_row, name_of, relation_row};
+use super::rows::{individual_row, name_of, relation_row, values};
 use super::term::Term;
-use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId};
+use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, MOST_NAMED};
 use std::sync::Arc;
 
 /// Sources of answers: episodes and people's statements.
@@ -20,6 +20,38 @@ pub struct Knowledge {
 }
 
 impl Knowledge {
+    /// States the values that people have added besides recorded ones, if any: queries find both.
+    pub fn describe_additions(&self) -> Option<String> {
+        let mut besides = Vec::new();
+        for (subject, property, added) in self.assertions.all() {
+            let Some(id) = self.names.individual(subject) else {
+                continue;
+            };
+            if let Some(recorded) = values(&self.catalogue, property, id).next() {
+                besides.push(format!(
+                    "{property} of {subject} is {added}, recorded {recorded}"
+                ));
+            }
+        }
+        let first = besides
+            .iter()
+            .take(MOST_NAMED)
+            .cloned()
+            .collect::<Vec<_>>()
+            .join("; ");
+        let more = besides.len().saturating_sub(MOST_NAMED);
+        let rest = if more > 0 {
+            format!("; {more} more")
+        } else {
+            String::new()
+        };
+        (!besides.is_empty()).then(|| {
+            format!(
+                "people added values besides recorded ones, and queries find both: {first}{rest}"
+            )
+        })
+    }
+
     /// Returns the facts about all individuals.
     pub fn individuals(&self) -> AnswerRows {
         let catalogue = Arc::clone(&self.catalogue);

@@ -18,6 +18,8 @@ use wisch::robot::RobotModel;
 const ROBOT_FILE: &str = "robot.urdf";
 /// Stands for no particular episode.
 const ANY: &str = "any";
+/// How far behind the end of an interval a sample may lie and belong to it \[s\]: times since 1970 are exact to 2e-7 s.
+const SAME_TIME: f64 = 1e-6;
 /// Largest number of poses in a query's trajectory.
 const MAX_POSES: usize = 200_000;
 
@@ -192,10 +194,11 @@ impl TelemetryPredicates {
         }
         if answers.is_empty() {
             let [from, to] = interval;
-            let nothing = || {
-                fault(format!(
+            let nothing = || match from <= to {
+                true => fault(format!(
                     "no telemetry was recorded between {from} and {to} s"
-                ))
+                )),
+                false => fault(format!("the interval [{from}, {to}] ends before it begins")),
             };
             let first = faults.into_iter().next();
             return Err(first.map_or_else(nothing, |(_, error)| error));
@@ -259,7 +262,10 @@ impl TelemetryPredicates {
         let Some([first, last]) = telemetry.interval() else {
             return Ok(None);
         };
-        let (from, to) = ((from - began).max(first), (to - began).min(last));
+        let (from, to) = (
+            (from - began).max(first),
+            (to - began + SAME_TIME).min(last),
+        );
         if from > to {
             return Ok(None);
         }

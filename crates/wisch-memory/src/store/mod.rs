@@ -14,6 +14,7 @@
 //!     20261122-010203-…/     an episode that is being written
 //!     20261122-010203-….lock held by its writer
 //!     .lock                  held briefly to begin an episode, clean up or rewrite the catalogue
+//!     .import.lock           held while an interpreted log becomes an episode
 //!   .catalogue/              the graphs of all episodes in tables; may be deleted at any time
 //! ```
 //!
@@ -51,6 +52,7 @@ const NEW_FOLDER: &str = ".new";
 const LOCK_ENDING: &str = ".lock";
 const FORGOTTEN_ENDING: &str = ".forgotten";
 const MEMORY_LOCK: &str = ".lock";
+const IMPORT_LOCK: &str = ".import.lock";
 /// Temporary file for the remaining statements, until it replaces the old one.
 const TOLD_FILE: &str = ".told";
 
@@ -210,6 +212,20 @@ impl Memory {
     /// Locks the memory against other processes that begin an episode, clean up or rewrite the catalogue.
     fn lock(&self) -> Result<File, MemoryError> {
         let (path, file) = self.memory_lock()?;
+        file.lock().map_err(at(&path))?;
+        Ok(file)
+    }
+
+    /// Waits until no other process imports a log into this memory, and keeps them waiting until the file is dropped. Without
+    /// it, processes that import one log at once would each keep it.
+    ///
+    /// # Errors
+    /// If the lock cannot be created.
+    pub fn wait_for_imports(&self) -> Result<File, MemoryError> {
+        let folder = self.folder.join(NEW_FOLDER);
+        fs::create_dir_all(&folder).map_err(at(&folder))?;
+        let path = folder.join(IMPORT_LOCK);
+        let file = File::create(&path).map_err(at(&path))?;
         file.lock().map_err(at(&path))?;
         Ok(file)
     }

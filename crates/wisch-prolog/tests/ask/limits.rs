@@ -124,6 +124,14 @@ fn what_has_no_time_cannot_be_limited_in_time() {
                 "(has_type(C, 'Collision'), occurs(C)) since T",
                 "the time of since",
             ),
+            (
+                "telemetry(Channel, [1, 2], max, V)",
+                "the channel of telemetry",
+            ),
+            (
+                "telemetry(force, [1, 2], How, V)",
+                "the statistic of telemetry",
+            ),
             ("occurs(C) during [now, then]", "now"),
             ("occurs(C) during 7", "7 is not an interval"),
             ("occurs(C) until soon", "soon"),

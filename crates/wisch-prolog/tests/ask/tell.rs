@@ -166,6 +166,42 @@ fn tell_refuses_numbers_that_are_not_finite() {
 }
 
 #[test]
+fn a_told_value_stands_beside_the_recorded_one() {
+    for command in engines() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
+        let in_words = "tell(holds('WipingRound_e0-3', semco:performance, bad))";
+        let error = asker.ask(in_words).expect_err(in_words).to_string();
+        assert!(error.contains("semco:performance is a number"), "{error}");
+        let both = "performance_by_round('WipingAction_e0-1', 1, P)";
+        let told = "tell(holds('WipingRound_e0-3', semco:performance, 0.99))";
+        let told = asker.ask(&format!("{told}, {both}")).unwrap();
+        assert_eq!(shown(&told), ["0.75", "0.99"]);
+        let mut later = asker_of(folder.path(), command.clone(), AskLimits::default());
+        assert_eq!(shown(&later.ask(both).unwrap()), ["0.75", "0.99"]);
+        // A neighbour of what a query reads first.
+        let other = "tell(holds('WipingRound_e3-3', semco:performance, 0.3))";
+        assert!(later.ask(other).unwrap().holds());
+        let mut later = asker_of(folder.path(), command, AskLimits::default());
+        let low = later.ask("low_performance_round(R, P)").unwrap();
+        let low = shown(&low);
+        assert_eq!(low.len(), 5, "{low:?}");
+        assert!(
+            low.contains(&"semco:'WipingRound_e3-3' 0.3".to_owned()),
+            "{low:?}"
+        );
+        let low = later.ask("low_performance_round('WipingRound_e0-3', P)");
+        assert_eq!(shown(&low.unwrap()), ["0.75"], "99 % is not low");
+        let remarks = later.remarks_on_memory().join("\n");
+        let besides = "semco:performance of semco:WipingRound_e0-3 is 0.99, recorded 0.75";
+        assert!(remarks.contains(besides), "{remarks}");
+        let timed = later.ask("last_episode(E, T)").unwrap().remarks.join("\n");
+        let undated = "the dates of these episodes are unknown";
+        assert!(timed.contains(undated), "{timed}");
+    }
+}
+
+#[test]
 fn what_would_not_be_seen_is_refused() {
     for command in engines() {
         let mut asker = asker(command);
