@@ -42,13 +42,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 /// Predicates whose answers compare the times of episodes, or state them as dates.
-const COMPARING_TIMES: [&str; 8] = [
+const COMPARING_TIMES: [&str; 7] = [
     "during",
     "is_at",
     "last_episode",
     "local_time",
     "since",
-    "telemetry",
     "tf",
     "until",
 ];
