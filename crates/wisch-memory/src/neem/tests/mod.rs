@@ -281,7 +281,7 @@ fn poses_are_thinned_frame_by_frame() {
 /// recorded with an earlier BSON writer, except those of the observations.
 const RECORDED: [(&str, u32); 6] = [
     ("triples", 1_278_370_868),
-    ("annotations", 3_792_192_486),
+    ("annotations", 2_252_502_103),
     ("inferred", 0),
     ("tf", 2_541_484_127),
     ("wrench", 3_300_141_627),
