@@ -9,6 +9,15 @@ use std::collections::HashMap;
 /// Index of an individual in a [`Catalogue`].
 pub type IndividualId = u32;
 
+/// Joins the first few items, and states how many more there are.
+pub(crate) fn list_some(items: &[String], separator: &str) -> String {
+    let mut text = items[..items.len().min(MOST_NAMED)].join(separator);
+    if items.len() > MOST_NAMED {
+        text += &format!("{separator}{} more", items.len() - MOST_NAMED);
+    }
+    text
+}
+
 /// The object of a relation between individuals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CatalogueNode {
@@ -87,7 +96,7 @@ impl Interned {
 }
 
 /// Largest number of episodes or values that a remark names.
-pub(crate) const MOST_NAMED: usize = 3;
+const MOST_NAMED: usize = 3;
 /// Stands for an individual without a parent.
 const NONE: u32 = u32::MAX;
 
@@ -208,22 +217,11 @@ impl Catalogue {
     /// States which episodes have times that are no dates, if any: they compare with no time of another episode.
     pub(crate) fn describe_undated(&self) -> Option<String> {
         let undated = self.episodes.iter().filter(|row| !is_date(row.interval[0]));
-        let ids: Vec<&str> = undated.map(|row| row.id.as_str()).collect();
-        let first = ids
-            .iter()
-            .take(MOST_NAMED)
-            .copied()
-            .collect::<Vec<_>>()
-            .join(", ");
-        let more = ids.len().saturating_sub(MOST_NAMED);
-        let rest = if more > 0 {
-            format!(" and {more} more")
-        } else {
-            String::new()
-        };
-        (!ids.is_empty()).then(|| format!(
-            "the dates of these episodes are unknown, their times count from the start of each log: {first}{rest}"
-        ))
+        let ids: Vec<String> = undated.map(|row| row.id.clone()).collect();
+        (!ids.is_empty()).then(|| {
+            let some = list_some(&ids, ", ");
+            format!("the dates of these episodes are unknown, their times count from the start of each log: {some}")
+        })
     }
 
     /// Records that an episode cannot be read.

@@ -78,6 +78,23 @@ fn without_an_engine_it_is_said_what_installs_one() {
 }
 
 #[test]
+fn the_json_of_an_answer_states_the_episodes_that_are_left_out() {
+    let place = Place::new("bin");
+    place.script("bin/wisch-prolog", ENGINE);
+    let damaged = place.folder.path().join("episodes/damaged");
+    fs::create_dir(&damaged).unwrap();
+    fs::write(damaged.join("episode.json"), "").unwrap();
+    let (code, out, _) = place.ask(&["--json", "--quiet"]);
+    assert_eq!(code, 0, "{out}");
+    let answers: serde_json::Value = serde_json::from_str(&out).unwrap();
+    let remark = answers["remarks"][0].as_str().expect("a remark");
+    assert!(
+        remark.contains("episode damaged: ") && remark.contains("left out"),
+        "{remark}"
+    );
+}
+
+#[test]
 fn an_engine_beside_the_program_or_in_the_path_answers() {
     for file in ["bin/wisch-prolog", "path/wisch-prolog"] {
         let place = Place::new("bin");

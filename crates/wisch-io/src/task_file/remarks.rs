@@ -53,7 +53,7 @@ fn carrier_remarks(task: &Task) -> Vec<String> {
     let remark = |(object, _): (&SceneObject, _)| {
         let name = &object.name;
         format!(
-            "object {name:?} ends at the surface, which no object carries: the tool keeps clear of it as of any obstacle; if it lies under the surface and carries it, add carried_by = {name:?} to [surface]"
+            "object {name:?} ends at the surface, which no object carries: a robot and its tool keep clear of it as of any obstacle; if it lies under the surface and carries it, add carried_by = {name:?} to [surface]"
         )
     };
     below.map(remark).collect()

@@ -6,7 +6,7 @@ use super::names::Names;
 use super::reply::AnswerRows;
 use super::rows::{individual_row, name_of, relation_row, values};
 use super::term::Term;
-use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, MOST_NAMED};
+use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, IndividualId, list_some};
 use std::sync::Arc;
 
 /// Sources of answers: episodes and people's statements.
@@ -33,22 +33,9 @@ impl Knowledge {
                 ));
             }
         }
-        let first = besides
-            .iter()
-            .take(MOST_NAMED)
-            .cloned()
-            .collect::<Vec<_>>()
-            .join("; ");
-        let more = besides.len().saturating_sub(MOST_NAMED);
-        let rest = if more > 0 {
-            format!("; {more} more")
-        } else {
-            String::new()
-        };
         (!besides.is_empty()).then(|| {
-            format!(
-                "people added values besides recorded ones, and queries find both: {first}{rest}"
-            )
+            let some = list_some(&besides, "; ");
+            format!("people added values besides recorded ones, and queries find both: {some}")
         })
     }
 

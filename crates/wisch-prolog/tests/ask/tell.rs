@@ -166,7 +166,7 @@ fn tell_refuses_numbers_that_are_not_finite() {
 }
 
 #[test]
-fn a_told_value_stands_beside_the_recorded_one() {
+fn an_added_value_stands_beside_the_recorded_one() {
     for command in engines() {
         let folder = tempfile::tempdir().unwrap();
         let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
