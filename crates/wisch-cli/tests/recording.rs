@@ -80,6 +80,13 @@ fn a_run_is_kept_as_it_is_shown_and_becomes_a_page() {
         let contacts = interpreted.expect("it is interpreted")["contacts"].as_array();
         assert!(!contacts.expect("spans").is_empty(), "round {round}");
     }
+    let ended = pieces.last().expect("pieces");
+    assert_eq!(ended["badge"], "not met: no rounds left");
+    let next = ended["story"]["next"]["command"].as_str();
+    assert!(
+        next.is_some_and(|next| next.contains("--rounds 4")),
+        "{next:?}"
+    );
     let [episode] = &episodes(folder.path())[..] else {
         panic!("one episode");
     };
@@ -185,9 +192,63 @@ fn a_live_run_is_shown_and_can_be_stopped_in_order() {
         (&"ended".into(), &name.into())
     );
     let happened = last["story"]["happened"].as_str().expect("a story");
-    assert!(happened.ends_with("(the run was stopped)."), "{happened}");
+    assert!(happened.ends_with("The run was stopped."), "{happened}");
+    assert_eq!(last["badge"], "stopped");
     let interpreted = pieces.iter().find(|piece| piece["piece"] == "interpreted");
-    assert_eq!(interpreted.expect("it is interpreted")["ending"], "stopped");
+    let interpreted = interpreted.expect("it is interpreted");
+    assert_eq!(interpreted["ending"], "stopped");
+    let incidents = interpreted["incidents"].as_array().expect("incidents");
+    let title = incidents.last().expect("one")["title"].as_str();
+    assert!(
+        title.is_some_and(|title| title.starts_with("Stopped on request")),
+        "{title:?}"
+    );
+}
+
+#[test]
+fn a_recording_states_what_did_not_go_as_planned() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let args = [
+        "run",
+        "failure-human-push",
+        "--rounds",
+        "1",
+        "--seed",
+        "1",
+        "--no-memory",
+    ];
+    let (code, _, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 1, "{err}");
+    let text = recording(&folder.path().join("out/failure-human-push"));
+    let pieces = pieces(&text);
+    let interpreted = pieces.iter().find(|piece| piece["piece"] == "interpreted");
+    let interpreted = interpreted.expect("it is interpreted");
+    let incidents = interpreted["incidents"].as_array().expect("incidents");
+    let texts = |key: &str| -> Vec<&str> {
+        incidents
+            .iter()
+            .filter_map(|one| one[key].as_str())
+            .collect()
+    };
+    assert_eq!(
+        texts("title"),
+        [
+            "2 collisions: in stroke 3 and in stroke 5",
+            "Less was wiped than predicted"
+        ]
+    );
+    let evidence = texts("evidence")[0];
+    assert!(
+        evidence.starts_with("At 14.1 s, 24.4 s: ") && evidence.contains(" N at most, tool up to "),
+        "{evidence}"
+    );
+    // The lane of contacts has as many intervals as the summary states.
+    let contacts = interpreted["contacts"].as_array().expect("spans").len();
+    let words = interpreted["words"].to_string();
+    assert!(
+        words.contains(&format!("{contacts} contacts")),
+        "{contacts}: {words}"
+    );
 }
 
 #[cfg(unix)]

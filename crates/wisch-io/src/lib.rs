@@ -16,6 +16,7 @@ mod particles;
 mod process;
 mod records;
 mod robots;
+mod shell;
 mod task_file;
 mod up_axis;
 
@@ -56,6 +57,7 @@ pub use records::{
     planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, robot_warnings, shipped_robots};
+pub use shell::shell_word;
 pub use task_file::{
     Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, check_tool_extent,
     find_underside_offset,

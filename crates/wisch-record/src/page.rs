@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::robot::Appearance;
 use wisch::run::RunEvent;
-use wisch_io::{LoadedTask, Robot};
+use wisch_io::{LoadedTask, Robot, shell_word};
 use wisch_memory::live_path;
 use wisch_report::{
     EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
@@ -224,10 +224,21 @@ impl PageSink {
                 last: last.map(|last| (&last.round, results.rounds.len())),
                 truth: last.and_then(|last| last.truth.as_ref()?.performance),
                 facts: &facts_of(loaded, results),
+                task_arguments: &name_task(loaded),
             },
             episode,
         )
     }
+}
+
+/// Returns the arguments of a command that reads the same task: its path, settings and seed.
+fn name_task(loaded: &LoadedTask) -> String {
+    let mut words = vec![shell_word(&loaded.path.display().to_string())];
+    for (key, value) in &loaded.settings {
+        words.extend(["--set".to_owned(), shell_word(&format!("{key}={value}"))]);
+    }
+    words.extend(["--seed".to_owned(), loaded.task.seed.to_string()]);
+    words.join(" ")
 }
 
 impl RunSink for PageSink {

@@ -1,12 +1,11 @@
 //! `wisch new` and `wisch schema`: a commented task file, and the JSON Schema with which editors check it.
 
-use super::words::shell_word;
 use crate::args::{GlobalArgs, NewArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
-use wisch_io::TaskFile;
+use wisch_io::{TaskFile, shell_word};
 
 /// The schema's file name, which the template's first line points editors to.
 const SCHEMA_FILE: &str = "wisch-task.schema.json";

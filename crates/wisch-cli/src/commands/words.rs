@@ -25,25 +25,3 @@ pub(super) fn internal(error: impl std::fmt::Display) -> Failure {
     Failure::new(format!("internal error: {error}"))
         .with_help("this is an error in wisch, not in your files; please report it")
 }
-
-/// Writes a text as one word of a shell: in single quotes, if it has other characters than those of plain file names.
-pub(super) fn shell_word(text: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "_-./+:@%,=".contains(c);
-    if !text.is_empty() && text.chars().all(is_plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', "'\\''"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shell_word;
-
-    #[test]
-    fn names_with_spaces_are_quoted() {
-        assert_eq!(shell_word("a/b-1.toml"), "a/b-1.toml");
-        assert_eq!(shell_word("ü b.toml"), "'ü b.toml'");
-        assert_eq!(shell_word("it's.toml"), "'it'\\''s.toml'");
-    }
-}

@@ -1,5 +1,6 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
+use super::incidents::{Incident, find_incidents};
 use super::particles::flat_remaining;
 use super::samples::round_to;
 use super::surface::BendRecord;
@@ -7,7 +8,7 @@ use super::{RoundTruth, words};
 use crate::scene::seven;
 use serde::Serialize;
 use std::borrow::Cow;
-use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation, Touch};
+use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 use wisch::represent::{GoalState, ParticleDistribution, Performance, Surface};
 use wisch::run::Round;
 
@@ -24,6 +25,7 @@ pub(super) struct Interpreted {
     found: Option<[f64; 7]>,
     events: Vec<EventRecord>,
     contacts: Vec<[f64; 2]>,
+    incidents: Vec<Incident>,
     particles: Vec<i64>,
 }
 
@@ -76,6 +78,7 @@ impl Interpreted {
                 .map(EventRecord::new)
                 .collect(),
             contacts: contacts(found),
+            incidents: find_incidents(round),
             particles: flat_remaining(
                 typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
                     .unwrap_or(&motion.task.particles),
@@ -134,20 +137,10 @@ fn typical_replay<'a>(
     replays.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// Returns the measured intervals of contact [s]; consecutive pieces are merged.
+/// Returns the detected contacts [s], whose number the summary of the round states.
 fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
-    // A piece ends one sample period before the next begins.
-    const GAP: f64 = 0.05;
-    let mut contacts: Vec<[f64; 2]> = Vec::new();
-    for piece in &found.path {
-        if !matches!(piece.touch, Touch::Weak | Touch::Confident) {
-            continue;
-        }
-        let [start, end] = piece.time.map(|time| round_to(time, 1e3));
-        match contacts.last_mut() {
-            Some(last) if start - last[1] <= GAP => last[1] = end,
-            _ => contacts.push([start, end]),
-        }
-    }
+    let contacts = (found.events.iter()).filter(|event| event.kind == EventKind::Contact);
     contacts
+        .map(|contact| [contact.start, contact.end].map(|time| round_to(time, 1e3)))
+        .collect()
 }

@@ -5,6 +5,7 @@
 
 mod considered;
 mod head;
+mod incidents;
 mod interpreted;
 mod logged;
 mod particles;

@@ -25,6 +25,8 @@ pub struct RunOutcome<'a> {
     pub truth: Option<f64>,
     /// Facts for the page: label, and value with unit.
     pub facts: &'a [(String, String)],
+    /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings.
+    pub task_arguments: &'a str,
 }
 
 #[derive(Serialize)]
@@ -32,6 +34,7 @@ pub(super) struct Ended<'a> {
     piece: &'static str,
     met: bool,
     verdict: Option<&'static str>,
+    badge: Option<&'static str>,
     story: Story,
     facts: &'a [(String, String)],
     episode: Option<&'a str>,
@@ -43,6 +46,15 @@ struct Story {
     happened: String,
     sure: String,
     surer: String,
+    next: Option<NextStep>,
+}
+
+/// What a user can do next.
+#[derive(Serialize)]
+struct NextStep {
+    words: String,
+    /// The command that does it; `None` if it takes more than a command.
+    command: Option<String>,
 }
 
 impl<'a> Ended<'a> {
@@ -56,10 +68,27 @@ impl<'a> Ended<'a> {
             piece: "ended",
             met: outcome.is_met,
             verdict: outcome.last.map(|(last, _)| last.verdict.as_str()),
+            badge: outcome.last.map(|(last, _)| describe_end(last)),
             story,
             facts: outcome.facts,
             episode,
         }
+    }
+}
+
+/// States in a few words how a run ended.
+const fn describe_end(last: &Round) -> &'static str {
+    match (last.verdict, &last.execution.ending) {
+        (Verdict::GoalMet, _) => "goal met",
+        (_, Ending::Stopped) => "stopped",
+        (_, Ending::ProtectiveStop { .. }) => "protective stop",
+        (Verdict::Again, _) => "not met: no rounds left",
+        (Verdict::NoProgress, _) => "not met: no progress",
+        (Verdict::NothingToGain, _) => "not met: nothing to gain",
+        (Verdict::NoWay, _) => "not met: no way to wipe again",
+        (Verdict::UnsafeMotion, _) => "not met: motion refused",
+        (Verdict::Undecidable, _) => "performance unknown",
+        (Verdict::UnknowableByTouch, _) => "undecided by touch",
     }
 }
 
@@ -70,10 +99,7 @@ fn summarise_execution(
     rounds: usize,
 ) -> Story {
     let found = &last.interpretation;
-    let rounds = match rounds {
-        1 => "one round".to_owned(),
-        many => format!("{many} rounds"),
-    };
+    let count = words::format_count(rounds, "round");
     let truth = outcome.truth.map_or_else(String::new, |share| {
         format!(" Ground truth in the simulated world: {}.", percent(share))
     });
@@ -81,23 +107,88 @@ fn summarise_execution(
         Some(_) => "touch and sight",
         None => "touch only",
     };
+    let mean = percent(found.performance.mean);
+    let known = if found.is_conclusive() {
+        format!(
+            "Estimated performance after {count}: {mean} of a target of {}.",
+            percent(outcome.target)
+        )
+    } else {
+        format!("The log does not show the performance after {count}; {mean} is a guess.")
+    };
     Story {
         asked,
-        happened: format!(
-            "Estimated performance after {rounds}: {} ({}).",
-            percent(found.performance.mean),
-            match (last.verdict, &last.execution.ending) {
-                (Verdict::Again, Ending::Stopped) => "the run was stopped",
-                (Verdict::Again, _) => "the limit of rounds is reached",
-                (verdict, _) => verdict.as_str(),
-            }
-        ),
+        happened: format!("{known} {}", explain_end(last)),
         sure: format!(
             "Estimated from {senses}: {}.{truth}",
             format_estimate(found.performance)
         ),
         surer: words::suggest_measures(last),
+        next: suggest_next(outcome, last, rounds),
     }
+}
+
+/// States why a run ended.
+const fn explain_end(last: &Round) -> &'static str {
+    match (last.verdict, &last.execution.ending) {
+        (Verdict::GoalMet, _) => "The goal is met.",
+        (_, Ending::Stopped) => "The run was stopped.",
+        (_, Ending::ProtectiveStop { .. }) => "The robot made a protective stop and waits.",
+        (Verdict::Again, _) => "The goal is not met, and the limit of rounds is reached.",
+        (Verdict::NoProgress, _) => {
+            "The goal is not met, and the last round did not raise the estimate."
+        }
+        (Verdict::NothingToGain, _) => {
+            "The goal is not met, and no plan is predicted to improve it."
+        }
+        (Verdict::NoWay, _) => {
+            "The goal is not met: no plan or motion for another round was found."
+        }
+        (Verdict::UnsafeMotion, _) => {
+            "The goal is not met: the motion of the next round fails its check and was refused."
+        }
+        (Verdict::Undecidable, _) => "It is unknown whether the goal is met.",
+        (Verdict::UnknowableByTouch, _) => {
+            "Touch cannot decide whether the goal is met, and wiping again would not change that."
+        }
+    }
+}
+
+/// Suggests what to do after a run whose goal is not met, or not known to be met.
+fn suggest_next(outcome: &RunOutcome<'_>, last: &Round, rounds: usize) -> Option<NextStep> {
+    let task = outcome.task_arguments;
+    let sees = last.interpretation.observation.is_some();
+    let [words, command] = match (last.verdict, &last.execution.ending) {
+        (Verdict::GoalMet, _) => return None,
+        (_, Ending::Stopped) => ["Repeat the run.", &format!("wisch run {task}")],
+        (_, Ending::ProtectiveStop { .. }) => [
+            "Remove the cause of the stop, then repeat the run.",
+            &format!("wisch run {task}"),
+        ],
+        (Verdict::Again, _) => [
+            "Allow more rounds.",
+            &format!("wisch run {task} --rounds {}", 2 * rounds),
+        ],
+        (Verdict::UnknowableByTouch | Verdict::Undecidable, _) if !sees => [
+            "Let a camera observe the surface after each round.",
+            &format!("wisch run {task} --set 'perception.senses=[\"touch\", \"sight\"]'"),
+        ],
+        (Verdict::NoWay | Verdict::UnsafeMotion, _) => [
+            "See what the robot reaches from where it stands.",
+            &format!("wisch check {task}"),
+        ],
+        (Verdict::NoProgress | Verdict::NothingToGain, _) => [
+            "See what every strategy would do, and what it would cost.",
+            &format!("wisch plan {task} --explain"),
+        ],
+        (Verdict::Undecidable | Verdict::UnknowableByTouch, _) => {
+            ["Correct what the doubts name, then repeat the run.", ""]
+        }
+    };
+    Some(NextStep {
+        words: words.to_owned(),
+        command: (!command.is_empty()).then(|| command.to_owned()),
+    })
 }
 
 fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
@@ -110,6 +201,10 @@ fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
         sure:
             "This is a prediction. It assumes that dirt, tool and surface are as the task states."
                 .to_owned(),
-        surer: "Execute the plan with a robot: wisch run.".to_owned(),
+        surer: String::new(),
+        next: Some(NextStep {
+            words: "Execute the plan.".to_owned(),
+            command: Some(format!("wisch run {}", outcome.task_arguments)),
+        }),
     }
 }

@@ -53,9 +53,16 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
         plan.strategy.as_str(),
         format_count(plan.graph.nodes.len(), "node"),
         plan.graph.goal.action().as_str(),
-        format_count(wiped.strokes.len(), "stroke"),
-        metres(wiped.contact_distance(), 2)
+        format_count(plan.strokes.len(), "stroke"),
+        metres(plan.contact_distance(), 2)
     )];
+    if wiped.strokes.len() != plan.strokes.len() {
+        sentences.push(format!(
+            "The robot executes them as {}, {} m in contact.",
+            format_count(wiped.strokes.len(), "stroke"),
+            metres(wiped.contact_distance(), 2)
+        ));
+    }
     if plan.unreachable_share > 0.0 {
         sentences.push(format!(
             "{} of the dirt is out of reach: no allowed tool pose covers it.",
@@ -71,10 +78,7 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
     let Some(followed) = followed else {
         return sentences;
     };
-    if !followed.placements.is_empty() {
-        let poses = format_count(followed.placements.len(), "base pose");
-        sentences.push(format!("The robot works from {poses}."));
-    }
+    sentences.extend(explain_placement(followed));
     if !followed.abandoned.is_empty() {
         sentences.push(format!(
             "The robot abandons {} that it cannot reach.",
@@ -82,6 +86,28 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
         ));
     }
     sentences
+}
+
+/// Explains where the base stands; `None` for a robot with a fixed base.
+fn explain_placement(followed: &Followed) -> Option<String> {
+    let first = followed.placements.first()?;
+    let poses = format_count(followed.placements.len(), "base pose");
+    let standing = followed.rated.iter().filter(|pose| pose.rating.is_some());
+    let count = standing.clone().count();
+    let best = standing.filter_map(|pose| pose.rating).fold(0.0, f64::max);
+    let mut chosen = followed
+        .rated
+        .iter()
+        .filter(|pose| pose.world_from_base == first.world_from_base);
+    Some(match chosen.next().and_then(|pose| pose.rating) {
+        Some(share) => format!(
+            "The robot works from {poses}. From the first, {} of the path is in reach; it can stand at {} of the base poses that were rated, which reach at most {}.",
+            percent(share),
+            grouped(count),
+            percent(best)
+        ),
+        None => format!("The robot works from {poses}."),
+    })
 }
 
 /// Summarises the check of a motion.
@@ -200,7 +226,7 @@ pub(super) fn suggest_measures(last: &Round) -> String {
     }
 }
 
-fn format_count(count: usize, noun: &str) -> String {
+pub(super) fn format_count(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {noun}{plural}", grouped(count))
 }

@@ -94,13 +94,15 @@ pub(crate) fn count_events(events: &[Event]) -> String {
 
 /// Describes the measurements that show an event.
 pub(crate) fn describe_evidence(event: &Event) -> String {
-    let samples = match event.samples {
-        1 => "1 sample".to_owned(),
-        many => format!("{many} samples"),
+    let does = if event.mean_normal_force > 0.0 {
+        "pulls"
+    } else {
+        "presses"
     };
     format!(
-        "{samples}, mean {} N, peak {} N, at most {} mm from the plane",
-        metres(event.mean_normal_force, 1),
+        "for {} s; the tool {does} with {} N on average, {} N at most, up to {} mm from the fitted surface",
+        metres(event.end - event.start, 1),
+        metres(event.mean_normal_force.abs(), 1),
         metres(event.peak_force, 1),
         metres(1e3 * event.peak_height, 1)
     )

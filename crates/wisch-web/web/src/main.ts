@@ -52,7 +52,11 @@ function keepAddress({ clock }: View): void {
 function startReport(app: HTMLElement): void {
   const recording = Recording.parse(document.getElementById("recording")?.textContent ?? "");
   app.classList.add("w-report");
-  app.append(new Story(recording, themeButton()).element);
+  const story = new Story(recording, (time) => {
+    view.seek(time);
+    view.element.scrollIntoView({ block: "start" });
+  }, themeButton());
+  app.append(story.element);
   const view = mountView(app, recording);
   view.seek(timeOf(location.hash) ?? 0);
   keepAddress(view);

@@ -218,6 +218,20 @@ export interface EventRecord {
   by_hand: boolean;
 }
 
+/** Something that did not go as planned. */
+export interface IncidentRecord {
+  /** When it was first seen; null if it concerns all of the round. */
+  time: number | null;
+  /** What happened. */
+  title: string;
+  /** The measurements that show it; empty without any. */
+  evidence: string;
+  /** What follows from it; empty if unknown. */
+  effect: string;
+  /** What a user can do about it; empty if nothing. */
+  advice: string;
+}
+
 /** The result of a finished round. */
 export interface InterpretedPiece {
   piece: "interpreted";
@@ -234,8 +248,10 @@ export interface InterpretedPiece {
   /** Estimated pose of the surface, if it differs from the believed pose. */
   found: Pose | null;
   events: EventRecord[];
-  /** Measured intervals of contact: start, end. */
+  /** Detected contacts: start, end. */
   contacts: [number, number][];
+  /** Recordings of version 0.2.0 have none. */
+  incidents?: IncidentRecord[];
   /** Estimated dirt locations: a typical sample of the belief. */
   particles: Places;
 }
@@ -258,8 +274,10 @@ export interface TruthPiece {
 export interface EndedPiece {
   piece: "ended";
   met: boolean;
-  /** null if a user stopped the run. */
+  /** Of the last round; null if nothing was executed. */
   verdict: string | null;
+  /** How the run ended, in a few words; recordings of version 0.2.0 have none. */
+  badge?: string | null;
   story: {
     /** Task and target. */
     asked: string;
@@ -269,6 +287,8 @@ export interface EndedPiece {
     sure: string;
     /** What would narrow the interval. */
     surer: string;
+    /** What to do next; null if nothing. Recordings of version 0.2.0 have none. */
+    next?: { words: string; command: string | null } | null;
   };
   /** Label and value with unit. */
   facts: [string, string][];

@@ -62,9 +62,11 @@ const round = has({
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
+const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });
+
 const interpreted = has({
   round: finite, duration: finite, estimate, by_touch: estimate, verdict: text, words: list(text), found: maybe(pose),
-  events: list(event), contacts: list(interval), particles: some,
+  events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some,
 });
 
 const CHECKS: Partial<Record<Piece["piece"], Check>> = {
@@ -72,7 +74,7 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
   truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
-  ended: has({ verdict: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text }), facts: list(list(text)) }),
+  ended: has({ verdict: maybe(text), badge: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text, next: maybe(has({ words: text, command: maybe(text) })) }), facts: list(list(text)) }),
 };
 
 /** Returns a piece with today's names, if it has those of version 0.2.0. */

@@ -1,9 +1,11 @@
-// The first screen: task, result, confidence interval, and what would narrow it.
-import { el, percent, say, svg } from "./dom.ts";
+// The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
+import { clockText, el, percent, say, svg } from "./dom.ts";
 import { mark } from "./icons.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import type { Dots } from "./picture.ts";
+import type { IncidentRecord } from "./recording.ts";
+import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import { LOGGED, goalState } from "./words.ts";
 
@@ -15,19 +17,32 @@ const NAMES: Record<string, string> = {
 const makeLegend = (names: string[]) =>
   el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name), NAMES[name]!)));
 
+/** Maximum number of shown incidents. */
+const MOST_INCIDENTS = 6;
+
+/** Returns a command with a button that copies it. */
+function makeCommand(command: string): HTMLElement {
+  const copy = el("button", { type: "button", class: "w-button", click: () => {
+    navigator.clipboard.writeText(command).then(() => say(copy, "Copied"), () => say(copy, "Not copied"));
+  } }, "Copy");
+  return el("div", { class: "w-command" }, el("code", {}, command), copy);
+}
+
 export class Story {
   readonly element: HTMLElement;
   private readonly title = el("h1", {});
   private readonly badge = el("p", { class: "w-badge" });
   private readonly pictures = el("div", { class: "w-pictures" });
   private readonly texts = el("div", { class: "w-texts" });
+  private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
   private readonly stop: () => void;
   private asked = 0;
 
-  constructor(private readonly recording: Recording, corner?: HTMLElement) {
+  /** `seek` shows a time of the common clock. */
+  constructor(private readonly recording: Recording, private readonly seek: (time: number) => void = () => {}, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
-      el("div", { class: "w-told" }, this.pictures, this.texts));
+      el("div", { class: "w-told" }, this.pictures, this.texts), this.incidents);
     this.stop = recording.onChange((piece) => {
       if (!piece || piece.piece !== "samples") this.ask();
     });
@@ -51,7 +66,8 @@ export class Story {
     const [planned, logged] = [isAll("planned"), isAll("logged")];
     const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : logged ? "logged" : "broken";
     this.badge.dataset.state = state;
-    say(this.badge, { met: ended?.verdict ?? "goal met", unmet: ended?.verdict ?? "stopped", unknown: ended?.verdict ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
+    const shown = ended?.badge ?? ended?.verdict;
+    say(this.badge, { met: shown ?? "goal met", unmet: shown ?? "stopped", unknown: shown ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
       ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
@@ -60,8 +76,31 @@ export class Story {
       ...this.makePart(live ? "Now" : "Result", happened),
       ...this.makePart("Confidence", story?.sure ?? (interpreted || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
       ...this.makePart("More certainty", story?.surer ?? ""),
+      ...this.makePart("Next", story?.next?.words ?? "", story?.next?.command ? makeCommand(story.next.command) : null),
     );
     this.drawPictures();
+    this.showIncidents();
+  }
+
+  /** Shows what did not go as planned, in order of time. */
+  private showIncidents(): void {
+    const all = this.recording.rounds.flatMap((round) => (round.interpreted?.incidents ?? []).map((incident) => ({ round, incident })));
+    const isKnown = this.recording.rounds.some((round) => round.interpreted?.incidents);
+    const cards = all.slice(0, MOST_INCIDENTS).map(({ round, incident }) => this.makeCard(round, incident));
+    const more = all.length - cards.length;
+    this.incidents.hidden = !isKnown;
+    this.incidents.replaceChildren(el("h2", {}, "What did not go as planned"), ...(all.length
+      ? [el("ul", {}, ...cards), ...(more ? [el("p", { class: "w-quiet" }, `and ${more} more`)] : [])]
+      : [el("p", { class: "w-quiet" }, "Nothing unusual was detected.")]));
+  }
+
+  private makeCard(round: Round, { time, title, evidence, effect, advice }: IncidentRecord): HTMLElement {
+    const when = `Round ${round.number}${time === null ? "" : ` \u00b7 ${clockText(round.start + time)}`}`;
+    return el("li", { "data-round": round.number },
+      el("button", { type: "button", class: "w-when", title: "Show this time", click: () => this.seek(round.start + (time ?? 0)) }, when),
+      el("h3", {}, title),
+      ...[evidence, effect].filter((text) => text).map((text) => el("p", {}, text)),
+      advice ? el("p", { class: "w-advice" }, advice) : null);
   }
 
   private makePart(title: string, text: string, more: Node | null = null): Node[] {

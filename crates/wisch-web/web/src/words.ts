@@ -3,6 +3,7 @@ import { clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
 import type { Considered, Estimate } from "./recording.ts";
 import type { Round } from "./round.ts";
+import { makeGainTable } from "./strokes.ts";
 import type { Instant, Recording } from "./store.ts";
 
 const makeSection = (title: string, open: boolean, ...children: (Node | string)[]) =>
@@ -127,7 +128,7 @@ export class Words {
   private showRound(round: Round | null): void {
     const why = round?.plan.why ?? [];
     const candidates = round?.plan.considered ?? [];
-    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? (round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.") : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []));
+    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? (round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.") : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []), (round && makeGainTable(round, (time) => this.clock.seek(time))) ?? "");
     if (!round?.interpreted) {
       const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : round.plan.kind === "logged" ? LOGGED : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));

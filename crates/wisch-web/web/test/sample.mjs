@@ -166,13 +166,18 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
         : ["Both strokes touched all along.", "The estimate's lower end is above the target."],
       found: round === 1 ? [0.004, 0.006, BOARD.z - 0.003, 0.007, 0, 0.02, 0.9998] : null,
       events, contacts, particles: flat(believed),
+      incidents: round === 1 ? [
+        { time: 9.25, title: "Collision in stroke 3", evidence: "At 9.3 s: 17.6 N at most, tool up to 22 mm from the surface, for 0.6 s in total.", effect: "The tool was in contact for 40.0 % of that time; elsewhere nothing counts as wiped.", advice: "Keep clear of the robot; the next round wipes what is left." },
+        { time: null, title: "The surface is not at its believed pose", evidence: "The contacts lie 3.0 mm below the believed surface and are tilted by 0.80\u00b0.", effect: "Later rounds use the measured pose.", advice: "" },
+      ] : [],
     });
     pieces.push({ piece: "truth", round, performance: rounded(truth, 4), particles: flat(actual), pushes: round === 1 ? [[9.25, 9.8], [12.5, 14]] : [], surface: round === 1 ? [0.004, 0.007, BOARD.z - 0.0032, 0.007, 0, 0.021, 0.9998] : null });
     if (round === 1) surface = pieces.at(-2).found;
   }
   pieces.push({
-    piece: "ended", met: true, verdict: "goal met",
+    piece: "ended", met: true, verdict: "goal met", badge: "goal met",
     story: {
+      next: { words: "Wipe again tomorrow.", command: "wisch run sample --seed 1" },
       asked: "Collect the breadcrumbs on the chopping board near its corner; 85 of 100 are to lie there.",
       happened: "The robot wiped two rounds of five and two strokes. It was hit once and led by hand once; the board lay 3 mm lower than believed.",
       sure: "With 90 % probability between 84 % and 96 % of the breadcrumbs lie at the goal.",

@@ -3,17 +3,18 @@
 use super::proposal::{Proposal, is_mobile};
 use crate::args::RobotSetupArgs;
 use crate::commands::PROGRAM;
-use crate::commands::words::{counted, internal, shell_word};
+use crate::commands::words::{counted, internal};
 use crate::failure::Failure;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_3;
 use std::fmt::Write;
 use std::path::Path;
 use wisch::robot::setup::{
-    ArmChain, LinkPairs, ProposedGroup, ReadyPosture, SetupConfig, SetupError, find_table,
-    held_posture,
+    ArmChain, LinkPairs, ProposedGroup, ReadyPosture, SINGULAR, SetupConfig, SetupError,
+    find_table, held_posture,
 };
 use wisch::robot::{LinkAxis, LinkId, READY_STATE, RobotModel, SrdfComments};
+use wisch_io::shell_word;
 
 /// The schema of the object that `--json` prints.
 const SCHEMA: u32 = 1;
@@ -346,6 +347,12 @@ pub fn describe(
                 100.0 * ready.limit_share
             ),
         ));
+        if ready.manipulability <= SINGULAR {
+            lines.push(("note", format!(
+                "{}: all postures found are singular, as the joints move the tip in fewer directions than they are many; the choice ignores manipulability",
+                group.name
+            )));
+        }
         if ready.tilt > MAX_TILT {
             let tilt = ready.tilt.to_degrees();
             lines.push(("note", format!(
