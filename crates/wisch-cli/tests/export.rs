@@ -135,6 +135,26 @@ fn named_episodes_come_out_at_the_rate_that_is_asked_for() {
 }
 
 #[test]
+fn a_damaged_episode_is_left_out_unless_it_is_named() {
+    let folder = memory();
+    fs::write(folder.path().join("episodes/first/episode.json"), "").expect("written");
+    let (code, out, err) = wisch(
+        folder.path(),
+        &["memory", "export", "--neem", "neem", "--json"],
+    );
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        err.contains("first") && err.contains("the episode is left out"),
+        "{err}"
+    );
+    let report: serde_json::Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!(report["episodes"], 1);
+    assert_eq!(report["left_out"].as_array().map(Vec::len), Some(1));
+    let named = ["memory", "export", "--neem", "other", "first"];
+    assert_eq!(wisch(folder.path(), &named).0, 2);
+}
+
+#[test]
 fn wrong_input_leaves_no_folder() {
     let folder = memory();
     for (asked, said) in [

@@ -65,7 +65,7 @@ predicate(highlight_trajectory, 4, 'highlight_trajectory(O, S, E, Color): highli
 predicate(marker_highlight, 2, 'marker_highlight(What, Color): the same as highlight/2').
 predicate(data_vis, 2, 'data_vis(barchart(Id), [data: [Xs, Ys], title: T]): draws a piechart, barchart, timeline, linechart or scatter').
 predicate(wear_chart, 1, 'wear_chart(Tool): draws the stiffness [N/m] of a tool over its episodes').
-predicate(local_time, 2, 'local_time(T, Text): a time [s since 1970] as date and time in the local time zone').
+predicate(local_time, 2, 'local_time(T, Text): a time [s since 1970] as date and time in the local time zone; for an undated episode, the seconds from the start of its log').
 predicate(low_performance, 2, 'low_performance(A, P): actions and rounds with an estimated performance of 80 % or less').
 predicate(low_performance_round, 2, 'low_performance_round(R, P): rounds with an estimated performance of 80 % or less').
 predicate(final_performance, 2, 'final_performance(Episode, P): estimated performance after the last round').

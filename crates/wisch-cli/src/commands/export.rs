@@ -6,7 +6,7 @@ use super::words::counted;
 use crate::args::{ExportArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, remark};
 use std::collections::BTreeSet;
 use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
@@ -16,7 +16,16 @@ use wisch_record::unix_time;
 pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     let memory = open(&args.memory)?;
-    let episodes = episodes(&memory, &args.ids)?;
+    let (episodes, left_out) = match args.ids.as_slice() {
+        [] => find_sound_episodes(&memory)?,
+        ids => {
+            let named = ids.iter().map(|id| memory.episode(id).map_err(broken));
+            (named.collect::<Result<_, _>>()?, Vec::new())
+        }
+    };
+    for why in &left_out {
+        remark(&format!("{why}; the episode is left out"));
+    }
     let meta = About::of(&episodes)?.meta(episodes.len())?;
     let config = NeemConfig {
         tf_rate_hz: args.tf_rate_hz,
@@ -28,20 +37,27 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     }
     let report = neem.finish().map_err(not_written)?;
     drop(progress);
-    tell(args, global, &report)?;
+    tell(args, global, &report, &left_out)?;
     Ok(Outcome::Done)
 }
 
-fn episodes(memory: &Memory, ids: &[String]) -> Result<Vec<Episode>, Failure> {
-    let all;
-    let ids = if ids.is_empty() {
-        all = memory.episodes().map_err(broken)?;
-        &all
-    } else {
-        ids
-    };
-    let found = ids.iter().map(|id| memory.episode(id).map_err(broken));
-    found.collect()
+/// Returns all episodes without faults, and what is wrong with the others.
+fn find_sound_episodes(memory: &Memory) -> Result<(Vec<Episode>, Vec<String>), Failure> {
+    let (mut sound, mut left_out) = (Vec::new(), Vec::new());
+    for id in memory.episodes().map_err(broken)? {
+        match memory.episode(&id) {
+            Ok(episode) => match episode.faults().first() {
+                None => sound.push(episode),
+                Some(fault) => left_out.push(fault.to_string()),
+            },
+            Err(error) => left_out.push(error.to_string()),
+        }
+    }
+    if let (true, Some(first)) = (sound.is_empty(), left_out.first()) {
+        return Err(Failure::new(format!("no episode can be exported: {first}"))
+            .with_help("wisch memory verify lists damaged files"));
+    }
+    Ok((sound, left_out))
 }
 
 fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
@@ -120,7 +136,12 @@ impl About {
     }
 }
 
-fn tell(args: &ExportArgs, global: &GlobalArgs, report: &NeemReport) -> Result<(), Failure> {
+fn tell(
+    args: &ExportArgs,
+    global: &GlobalArgs,
+    report: &NeemReport,
+    left_out: &[String],
+) -> Result<(), Failure> {
     if args.json {
         let line = serde_json::json!({
             "neem": args.neem,
@@ -130,6 +151,7 @@ fn tell(args: &ExportArgs, global: &GlobalArgs, report: &NeemReport) -> Result<(
             "poses": report.poses,
             "wrenches": report.wrenches,
             "observations": report.observations,
+            "left_out": left_out,
         });
         print(&format!("{line}\n"))?;
     } else if !global.quiet {

@@ -14,7 +14,7 @@ use super::telemetry_predicates::TelemetryPredicates;
 use super::term::Term;
 use super::trends::{Drift, causes, changes, drifts, series};
 use crate::catalogue::{Catalogue, IndividualId};
-use crate::id::local_date_and_time;
+use crate::id::{is_date, local_date_and_time};
 use crate::ontology::Ontology;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -292,7 +292,12 @@ impl Host {
             }
             ("local_time", [time]) => {
                 let time = time.as_number().ok_or_else(malformed)?;
-                vec![Term::Atom(local_date_and_time(time))]
+                let text = if is_date(time) {
+                    local_date_and_time(time)
+                } else {
+                    format!("{time:.1} s from the start of the log, undated")
+                };
+                vec![Term::Atom(text)]
             }
             ("format", [format, arguments]) => vec![Term::Atom(format_answer(format, arguments)?)],
             ("print", [format, arguments]) => {

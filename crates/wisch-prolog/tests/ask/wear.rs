@@ -162,5 +162,8 @@ fn times_are_shown_in_local_time() {
             text.starts_with("2026-11-2") && text.contains(":32 "),
             "{text}"
         );
+        let answers = asker.ask("local_time(12.34, T)").unwrap();
+        let text = answers.rows[0][0].as_atom().unwrap_or_default();
+        assert_eq!(text, "12.3 s from the start of the log, undated");
     }
 }
