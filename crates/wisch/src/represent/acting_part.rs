@@ -16,6 +16,8 @@ pub(super) struct ActingPart {
     foundation: ElasticFoundation,
     /// Least pressure over the nominal one at which the tool acts [1].
     least: f64,
+    /// Size of a bend up to which all of the tool acts, at every yaw [1/m].
+    harmless: f64,
     /// What is known of the bend that was met last.
     known: Option<KnownBend>,
     /// The last yaw over a mesh, and its rotation.
@@ -39,6 +41,7 @@ impl ActingPart {
     /// Returns the part of a tool that acts from the pressure `least` over the nominal one on [1].
     pub(super) fn new(foundation: ElasticFoundation, least: f64) -> Self {
         Self {
+            harmless: foundation.harmless_bend(least),
             foundation,
             least,
             known: None,
@@ -70,10 +73,13 @@ impl ActingPart {
     ) -> Option<(LocalPressure, f64)> {
         let least = self.least;
         if let SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) = &surface.shape {
+            let bend = surface.shape.bend(place);
+            if bend.norm_squared() < self.harmless * self.harmless {
+                return None;
+            }
             if self.turn.0 != heading {
                 self.turn = (heading, Rotation2::new(heading));
             }
-            let bend = surface.shape.bend(place);
             let (pressure, lowest) = self.foundation.press_turned(&bend, &self.turn.1);
             return (lowest < least).then_some((pressure, least));
         }
@@ -123,8 +129,17 @@ impl ActingPart {
     /// Returns the radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it
     /// does.
     fn radius_at_every_yaw(&mut self, surface: &Surface) -> f64 {
-        let least = self.least;
-        let (foundation, known) = self.meet(surface.tightest_bend());
+        let (least, tightest) = (self.least, surface.tightest_bend());
+        if let Some(KnownBend {
+            bend,
+            radius: Some(radius),
+            ..
+        }) = &self.known
+            && *bend == tightest
+        {
+            return *radius;
+        }
+        let (foundation, known) = self.meet(tightest);
         let bend = known.bend;
         *(known.radius).get_or_insert_with(|| radius_at_every_yaw(foundation, &bend, least))
     }

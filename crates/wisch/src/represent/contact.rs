@@ -191,6 +191,19 @@ impl ElasticFoundation {
         self.press_with_least(1.0, Vector2::zeros(), &in_tool)
     }
 
+    /// Returns the size of a bend up to which the pressure of an upright tool at nominal force is at least `least`
+    /// everywhere under the tool: Frobenius norm of the second fundamental form [1/m].
+    pub(crate) fn harmless_bend(&self, least: f64) -> f64 {
+        // f′(q) = 1 + ½⟨C, S⟩ − ½ qᵀCq ≥ 1 − ½ |C| (|S| + r²), with S the mean square of the places, and C = B/δ.
+        let corners = self
+            .edges
+            .iter()
+            .map(|edge| edge.start.coords.norm_squared());
+        let reach = self.squares.norm() + corners.fold(0.0, f64::max);
+        // Less by the rounding errors of the pressure.
+        (1.0 - 1e-9) * (2.0 * (1.0 - least).max(0.0) * self.compression / reach)
+    }
+
     /// Returns the least and the largest value of f′ over the footprint \[1\]; below 0 where the tool does not touch.
     pub fn range(&self, pressure: &LocalPressure) -> [f64; 2] {
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];

@@ -272,3 +272,42 @@ fn the_needed_compression_is_that_at_which_the_least_pressure_vanishes() {
         );
     }
 }
+
+#[test]
+fn a_harmless_bend_leaves_enough_pressure_everywhere_at_every_yaw() {
+    let shifted = Polygon::rectangle(Vector2::new(0.03, 0.05));
+    let moved = shifted
+        .outer()
+        .iter()
+        .map(|corner| corner + Vector2::new(0.02, -0.01));
+    let two_pieces = Region::new(vec![
+        shifted.clone(),
+        Polygon::new(
+            moved
+                .map(|corner| corner + Vector2::new(0.06, 0.0))
+                .collect(),
+            Vec::new(),
+        ),
+    ]);
+    for (footprint, compression, least) in [
+        (pad(), 0.01, 0.3),
+        (pad(), 0.002, 0.05),
+        (two_pieces, 0.005, 0.5),
+    ] {
+        let tool = ElasticFoundation::new(&footprint, compression).unwrap();
+        let size = tool.harmless_bend(least);
+        assert!(size > 0.0);
+        for (i, j) in (0..24).flat_map(|i| (0..24).map(move |j| (i, j))) {
+            let [mix, yaw] = [i, j].map(|k| f64::from(k) * PI / 12.0);
+            let [along, across] = [size * mix.cos(), size * mix.sin()];
+            let pressure = tool.press_upright(&bend(along, across), yaw);
+            assert!(tool.range(&pressure)[0] >= least, "{mix} {yaw}");
+        }
+    }
+    assert_eq!(
+        ElasticFoundation::new(&pad(), 0.01)
+            .unwrap()
+            .harmless_bend(2.0),
+        0.0
+    );
+}
