@@ -2,8 +2,8 @@
 
 use crate::clearance::{committed, robot};
 use wisch_robot::setup::{
-    ArmChain, LinkPairs, ReadyPosture, ReadyRequest, SetupConfig, SetupError, WipingRegion,
-    find_arms, find_ready, manipulability, middle_posture, sample_pairs,
+    ArmChain, LinkPairs, ReadyPosture, ReadyRequest, SINGULAR, SetupConfig, SetupError,
+    WipingRegion, find_arms, find_ready, manipulability, middle_posture, sample_pairs,
 };
 use wisch_robot::{
     CollisionModel, DisabledPair, Group, GroupState, LinkAxis, LinkId, RobotModel, Srdf,
@@ -380,6 +380,24 @@ fn limits_of_a_thousand_kilometres_do_not_lead_a_slide_away() {
     let (_, ready) = ready_of(&robot, &arms[0], &quick());
     assert_eq!(ready.place, "in front of the robot");
     assert!(ready.tip.coords.norm() < 2.5, "{}", ready.tip);
+}
+
+#[test]
+fn an_arm_that_is_singular_everywhere_still_keeps_from_its_limits() {
+    // Seven parallel axes move the tip in a plane only.
+    let range = r#"<limit lower="-2" upper="2" velocity="1" effort="50"/>"#;
+    let links: Vec<String> = (0..8).map(|i| format!("link_{i}")).collect();
+    let joints: String = links
+        .windows(2)
+        .map(|pair| joint("revolute", &pair[0], &pair[1], "0 0 0.2", range))
+        .collect();
+    let robot = read(&format!(
+        "<robot name=\"flat\"><link name=\"link_0\"/>{joints}</robot>"
+    ));
+    let arms = find_arms(&robot, &[]).unwrap();
+    let (_, ready) = ready_of(&robot, &arms[0], &quick());
+    assert!(ready.manipulability <= SINGULAR, "{}", ready.manipulability);
+    assert!(ready.limit_share > 0.15, "{}", ready.limit_share);
 }
 
 #[test]

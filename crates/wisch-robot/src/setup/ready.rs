@@ -27,6 +27,8 @@ const AMPLE_NEAR: f64 = 0.012;
 const PROBE_SAMPLES: usize = 2000;
 /// Number of shares of the joints' ranges from which the search starts.
 const SPREADS: usize = 4;
+/// Manipulability up to which a posture is singular: larger by orders of magnitude than its rounding errors [m³ or less].
+pub const SINGULAR: f64 = 1e-7;
 /// Share of the largest manipulability above which more does not help [1].
 const AMPLE_MANIPULABILITY: f64 = 0.6;
 /// Number of random postures that measure how far apart the links of a pair can be.
@@ -378,10 +380,15 @@ fn choose(
 ) -> Option<ReadyPosture> {
     let is_straight = |posture: &ReadyPosture| posture.tilt <= MAX_TILT;
     let any_straight = free.iter().any(is_straight);
-    let most = free
-        .iter()
-        .map(|p| p.manipulability)
-        .fold(f64::MIN_POSITIVE, f64::max);
+    let most = (free.iter().map(|posture| posture.manipulability)).fold(0.0, f64::max);
+    // Of an arm that is singular everywhere, manipulability tells no posture from another.
+    let ability = |posture: &ReadyPosture| {
+        if most > SINGULAR {
+            (posture.manipulability / (AMPLE_MANIPULABILITY * most)).min(1.0)
+        } else {
+            1.0
+        }
+    };
     let score = |posture: &ReadyPosture| {
         let straight = if any_straight {
             1.0
@@ -390,7 +397,7 @@ fn choose(
         };
         posture.clearance_share
             * (posture.limit_share / AMPLE_RANGE).min(1.0)
-            * (posture.manipulability / (AMPLE_MANIPULABILITY * most)).min(1.0)
+            * ability(posture)
             * (1.0 - BORDER_COST * distance_from_middle(region, &posture.tip))
             * (1.0 - (TURN_COST * turn_from_middle(robot, chain.variables(), &posture.q)).min(0.9))
             * straight
