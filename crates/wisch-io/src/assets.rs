@@ -149,8 +149,12 @@ pub fn shipped_scenarios() -> impl Iterator<Item = (&'static str, &'static str)>
     scenarios.into_iter()
 }
 
-/// Returns the text of a task file, or of the shipped scenario of that name if there is no such file.
+/// Returns the text of a task file, or of the shipped scenario of that name if there is no such file. A folder of that
+/// name, such as one with results, is no file.
 pub(crate) fn read_task_text(path: &Path) -> Result<String, Error> {
+    if let Some(text) = find_shipped(path).filter(|_| path.is_dir()) {
+        return Ok(text.to_owned());
+    }
     read_text(path).or_else(|error| {
         let Error::NoSuchFile { path, nearest } = error else {
             return Err(error);
