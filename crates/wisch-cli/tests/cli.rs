@@ -18,7 +18,8 @@ fn folder_with_template() -> TempDir {
     folder
 }
 
-/// A folder with the template as board.toml, planned by one strategy and without variants, which is much faster.
+/// A folder with the template as board.toml, for a quarter of its board, planned by one strategy and without variants, which
+/// is much faster.
 fn folder_with_task() -> TempDir {
     let folder = folder_with_template();
     let file = folder.path().join("board.toml");
@@ -26,6 +27,7 @@ fn folder_with_task() -> TempDir {
     for (slow, fast) in [
         ("strategy = \"best\"", "strategy = \"kde\""),
         ("variants = 8", "variants = 1"),
+        ("size_m = [0.40, 0.28]", "size_m = [0.20, 0.14]"),
     ] {
         assert!(text.contains(slow), "{slow}");
         text = text.replace(slow, fast);

@@ -190,7 +190,16 @@ fn a_check_names_the_cone() {
 #[test]
 fn a_run_on_a_cone_reaches_its_goal() {
     let folder = folder();
-    let words = ["run", "task.toml", "--seed", "1", "--out", "out"];
+    let words = [
+        "run",
+        "task.toml",
+        "--seed",
+        "1",
+        "--budget",
+        "5000",
+        "--out",
+        "out",
+    ];
     let done = on_cone(folder.path(), &words);
     let (found, errors) = (text(&done.stdout), text(&done.stderr));
     assert_eq!(done.status.code(), Some(0), "{found}{errors}");

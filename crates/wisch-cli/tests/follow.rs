@@ -104,7 +104,7 @@ rpy_rad = [1.5707963267948966, 0, -1.5707963267948966]
 #[test]
 fn the_humanoid_follows_the_board() {
     let folder = folder_with("chopping-board.toml");
-    let run = ["run", "task.toml", "--out", "result"];
+    let run = ["run", "task.toml", "--budget", "3000", "--out", "result"];
     let summary_of = summary(folder.path(), &run);
     let number = |key: &str| summary_of[key].as_f64().expect("a number");
     assert_eq!(summary_of["robot"], "humanoid");
