@@ -228,7 +228,7 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows;
+    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
   }
@@ -245,7 +245,7 @@ export class Stage {
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     if (!this.home) this.initView(instant);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke);
+    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time));
     this.camera.follow(this.robot?.toolPlace ?? null);
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
