@@ -20,7 +20,7 @@ const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "f
 /** Range of drawn heights [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
 /** Width of the printed timeline [pixels]. */
-const PAPER_PX = 900;
+const PAPER_PX = 700;
 /** Below this height of the view, plots are lower [pixels]. */
 const TIGHT_PX = 700;
 /** Interval between redraws during a live run, with and without a graphics card [ms]. */
@@ -99,7 +99,8 @@ export class Timeline {
     const width = isPrinting() ? PAPER_PX : this.element.clientWidth;
     if (!width) return;
     this.frame.layOut(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
-    const ratio = isPrinting() ? 3 : Math.min(devicePixelRatio || 1, 2);
+    const magnified = (this.element as HTMLElement & { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    const ratio = isPrinting() ? 3 : Math.min((devicePixelRatio || 1) * magnified, 2);
     this.base.width = Math.round(width * ratio);
     this.base.height = Math.round(this.frame.height * ratio);
     this.base.style.width = `${width}px`;
@@ -200,7 +201,7 @@ export class Timeline {
       pen.textAlign = "left";
       pen.textBaseline = "middle";
       const plot = PLOTS.has(lane.name);
-      if (!frame.narrow) drawFitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
+      if (!frame.narrow) lane.label.split("\n").forEach((line, i) => drawFitted(pen, line, 2, lane.top + (plot ? 8 + 13 * i : lane.height / 2), frame.left - (plot ? 26 : 6)));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
     drawHighlights(pen, frame, this.highlights);

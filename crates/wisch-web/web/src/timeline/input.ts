@@ -11,7 +11,11 @@ export interface Handlers {
 export function listenPointer(element: HTMLElement, handlers: Handlers): void {
   const pointers = new Map<number, number>();
   let pinched = false;
-  const xOf = (event: MouseEvent) => event.clientX - element.getBoundingClientRect().left;
+  /** Pixels of the element, which the page may show magnified. */
+  const xOf = (event: MouseEvent) => {
+    const { left, width } = element.getBoundingClientRect();
+    return (event.clientX - left) * (element.clientWidth / width || 1);
+  };
   const measurePinch = () => {
     const [a = 0, b = 0] = [...pointers.values()];
     return { middle: (a + b) / 2, distance: Math.max(10, Math.abs(a - b)) };

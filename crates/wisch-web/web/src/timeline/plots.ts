@@ -152,7 +152,8 @@ function drawResult(pen: Pen, frame: Frame, round: Round, next: Round | undefine
   drawLine(pen, x, y(estimate.mean), to, y(estimate.mean), "estimated", 2.4);
   const predicted = round.growthAt(round.length);
   if (predicted !== null) drawJump(pen, x, y(predicted), y(estimate.mean));
-  drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
+  // Without a camera both estimates are one.
+  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
   const truth = round.truth?.performance ?? null;
   if (truth === null) return;
   const at = y(truth);
