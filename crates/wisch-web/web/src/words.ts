@@ -28,13 +28,13 @@ const formatKnown = (value: number | null, text: (value: number) => string): str
 /** Returns a table of the candidate plans, by falling score. */
 function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
   const list = [...considered].sort((a, b) => (b.score ?? -Infinity) - (a.score ?? -Infinity));
-  const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
+  const names = ["Strategy", "Score", "Share", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
     formatKnown(one.score, (score) => fixed(score, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
   ];
   return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
     el("table", {},
-      el("caption", {}, "Done: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."),
+      el("caption", {}, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."),
       el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
         el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),

@@ -53,6 +53,9 @@ const cases = {
     const first = await page.evaluate(() => window.firstFrame);
     note("first frame", Math.round(first), "ms after the page opens", "<= 1000");
     assert.ok(first < 5000);
+    await drawn(page);
+    const texts = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
+    note("first texts", Math.round(texts), "ms after the page opens", "before the first frame");
     await picture("story-light");
     const rows = await page.locator(".w-choice tbody tr").allInnerTexts();
     assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "the highest score first");
