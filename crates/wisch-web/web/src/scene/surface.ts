@@ -143,7 +143,7 @@ export class Still {
   private outlineAt(pose: Pose, shape: Bend, name: string, tint: number): Group {
     const group = placeAt(new Group(), pose);
     const line = this.keep(new LineMaterial({ linewidth: tint ? 3 : 2 }), name);
-    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + ABOVE]), true), true));
+    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (tint ? 1 : 2) * ABOVE]), true), true));
     group.add(segments(tint ? ends : cutDashes(ends, [DASH_M * TRUTH_DASH[0], DASH_M * TRUTH_DASH[1]]), line));
     const face = tint ? this.face() : null;
     if (face) {
