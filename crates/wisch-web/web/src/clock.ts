@@ -8,7 +8,7 @@ const MARGIN = 1.15;
 const CATCH_UP_S = { least: 0.12, most: 0.8 };
 /** Longest time between two frames that the clock keeps up with [s]. A single longer one is a tab that was suspended; more of
  * them in a row are a machine that is too slow for real time. */
-const LONGEST_FRAME_S = 1;
+const LONGEST_FRAME_S = 3;
 
 /** A recording, as the clock sees it. */
 export interface Span {
