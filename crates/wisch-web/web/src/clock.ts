@@ -6,6 +6,9 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
  * is still moving when the next piece arrives. CATCH_UP_S bounds that time [s]. */
 const MARGIN = 1.15;
 const CATCH_UP_S = { least: 0.12, most: 0.8 };
+/** Longest time between two frames that the clock keeps up with [s]. A single longer one is a tab that was suspended; more of
+ * them in a row are a machine that is too slow for real time. */
+const LONGEST_FRAME_S = 3;
 
 /** A recording, as the clock sees it. */
 export interface Span {
@@ -33,7 +36,9 @@ export class Clock {
   private readonly spans = new Set<Span>();
   private readonly callbacks = new Set<(clock: Clock) => void>();
   private frame: number | null = null;
-  private before: number | null = null;
+  private before = 0;
+  /** Number of frames in a row that took too long. */
+  private late = 0;
   /** While following: end of the measured part [s], when it last moved [ms], mean time between moves [s], and speed of the clock. */
   private known = { edge: 0, since: 0, every: CATCH_UP_S.least, pace: 0 };
 
@@ -58,6 +63,11 @@ export class Clock {
   get edge(): number {
     const live = [...this.spans].filter((span) => span.live);
     return live.length ? Math.max(0, ...live.map((span) => span.now)) : this.end;
+  }
+
+  /** Whether the clock plays slower than it should, because frames take too long. */
+  get isLate(): boolean {
+    return this.playing && this.late > 1;
   }
 
   get live(): boolean {
@@ -139,15 +149,17 @@ export class Clock {
 
   private run(): void {
     if (this.frame !== null) return;
-    this.before = null;
+    this.before = this.pictures.now();
+    this.late = 0;
     this.frame = this.pictures.request((now) => this.step(now));
   }
 
   private step(now: number): void {
     this.frame = null;
-    // After a tab was suspended, the clock does not jump.
-    const passed = this.before === null ? 0 : Math.min(0.25, (now - this.before) / 1000);
-    this.before = now;
+    const took = Math.max(0, (now - this.before) / 1000);
+    this.late = took > LONGEST_FRAME_S ? this.late + 1 : 0;
+    const passed = this.late ? 0.25 : took;
+    this.before = Math.max(this.before, now);
     if (this.following) {
       const { edge } = this;
       const gap = edge - this.time;

@@ -270,6 +270,9 @@ export interface TruthPiece {
   shape?: SurfaceShape | { kind: "plane" } | null;
 }
 
+/** Label, value with unit, and the round that it is about: null for the whole run, missing in recordings of version 0.3 and before. */
+export type Fact = [label: string, value: string, round?: number | null];
+
 /** The last piece. */
 export interface EndedPiece {
   piece: "ended";
@@ -290,8 +293,7 @@ export interface EndedPiece {
     /** What to do next; null if nothing. Recordings of version 0.2.0 have none. */
     next?: { words: string; command: string | null } | null;
   };
-  /** Label and value with unit. */
-  facts: [string, string][];
+  facts: Fact[];
   /** The episode in the memory, if one is kept. */
   episode: string | null;
 }

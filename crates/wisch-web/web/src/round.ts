@@ -3,9 +3,18 @@ import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
-/** The tool is in contact if its normal force exceeds both TOUCH_N [N] and this share of the round's peak force [1]. */
-export const TOUCH_N = 0.3;
+/** A force counts if it exceeds both TOUCH_N [N] and this share of the round's peak normal force [1]. */
+const TOUCH_N = 0.3;
 const TOUCH_SHARE = 0.1;
+/** Height over the believed surface above which a force cannot come from wiping [m]. */
+const HIGH_M = 0.03;
+
+/** Who acts on the tool: the surface that it presses on, somebody or something else, or nothing. */
+export type Contact = "contact" | "pushed" | "none";
+export type Intervals = readonly (readonly [start: number, end: number])[];
+
+/** Whether an event is somebody or something that acts on the tool or the arm. */
+export const isPush = ({ kind, by_hand }: EventRecord): boolean => by_hand || /collision/i.test(kind);
 
 export class Round {
   readonly number: number;
@@ -24,6 +33,7 @@ export class Round {
   observed: ObservedPiece | null = null;
   /** Whether the round has all its samples. */
   over = false;
+  private states: { key: string; contact: Intervals; pushed: Intervals } = { key: "", contact: [], pushed: [] };
 
   constructor(readonly plan: RoundPiece, variables: number) {
     this.number = plan.round;
@@ -34,11 +44,6 @@ export class Round {
   /** Detected events. */
   get events(): readonly EventRecord[] {
     return this.interpreted?.events ?? this.plan.events ?? [];
-  }
-
-  /** Measured intervals of contact, as they are known after the round. */
-  get contacts(): readonly [number, number][] | null {
-    return this.interpreted?.contacts ?? this.plan.contacts ?? null;
   }
 
   get count(): number {
@@ -110,6 +115,11 @@ export class Round {
     return Number.isFinite(value) ? value : null;
   }
 
+  /** Planned start of the first stroke, from which on the robot changes the dirt [s]. */
+  get firstContact(): number {
+    return this.plan.phases.find(({ contact }) => contact)?.start ?? 0;
+  }
+
   /** Returns the predicted performance at a time. */
   growthAt(time: number): number | null {
     const { growth } = this.plan;
@@ -129,16 +139,74 @@ export class Round {
     return found;
   }
 
-  /** Force above which the tool counts as in contact [N]. */
-  get touchForce(): number {
-    return Math.max(TOUCH_N, TOUCH_SHARE * this.normal.largest);
+  /** Intervals in which the tool presses on the surface, and in which something else acts on it; the second ones win. */
+  get contacts(): { contact: Intervals; pushed: Intervals } {
+    const key = `${this.count} ${this.events.length} ${Boolean(this.interpreted)}`;
+    if (key !== this.states.key) this.states = { key, ...this.classify() };
+    return this.states;
   }
 
-  /** Whether the tool is in contact: as measured, or else as planned. */
-  touches(time: number, normal: number | null): boolean {
-    if (normal !== null && this.normal.largest > TOUCH_N) return normal > this.touchForce;
-    return this.plan.phases[this.phaseAt(time)]?.contact ?? false;
+  /** Returns the one classification of contact at a time, which lane, path and texts show. */
+  contactAt(time: number): Contact {
+    const { contact, pushed } = this.contacts;
+    return isWithin(pushed, time) ? "pushed" : isWithin(contact, time) ? "contact" : "none";
   }
+
+  /** Classifies the whole round. The intervals of a result count where the force confirms them: old recordings also have
+   * those of a tool that crosses the height of the surface beside it. Before the result, force and height decide. */
+  private classify(): { contact: Intervals; pushed: Intervals } {
+    const { normal, height, plan, interpreted } = this;
+    const isMeasured = normal.least <= normal.largest;
+    const least = Math.max(TOUCH_N, TOUCH_SHARE * normal.largest);
+    // Detected contacts may be weaker than what is visible without knowledge of the press force.
+    const weakest = Math.max(TOUCH_N, 0.5 * least);
+    const known = interpreted?.contacts ?? plan.contacts;
+    const detected = this.events.filter(isPush).map(({ start, end }) => [start, end] as const);
+    if (!this.count || !isMeasured) {
+      return { contact: known ?? plan.phases.filter(({ contact }) => contact).map(({ start, end }) => [start, end] as const), pushed: detected };
+    }
+    const isHigh = (i: number) => height.data[i]! > HIGH_M;
+    const strength = (i: number) => Math.hypot(this.force.data[3 * i]!, this.force.data[3 * i + 1]!, this.force.data[3 * i + 2]!);
+    const highPushes = this.intervals((i) => isHigh(i) && strength(i) > least);
+    const pressed = known?.filter(([start, end]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest);
+    return { contact: pressed ?? this.intervals((i) => !isHigh(i) && normal.data[i]! > least), pushed: mergeIntervals([...detected, ...highPushes]) };
+  }
+
+  /** Returns the intervals between samples that all have a property. */
+  private intervals(has: (i: number) => boolean): [number, number][] {
+    const list: [number, number][] = [];
+    let open = false;
+    for (let i = 0; i < this.count; i++) {
+      const now = has(i);
+      const time = this.t.data[i]!;
+      if (now && open) list.at(-1)![1] = time;
+      else if (now) list.push([time, time]);
+      open = now;
+    }
+    return list;
+  }
+}
+
+/** Returns whether a time is within one of the intervals, which are sorted and disjoint. */
+function isWithin(intervals: Intervals, time: number): boolean {
+  let [low, high] = [0, intervals.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (intervals[middle]![0] <= time) low = middle + 1;
+    else high = middle;
+  }
+  return low > 0 && time <= intervals[low - 1]![1];
+}
+
+/** Sorts intervals, and merges those that overlap. */
+function mergeIntervals(intervals: Intervals): Intervals {
+  const merged: [number, number][] = [];
+  for (const [start, end] of [...intervals].sort((a, b) => a[0] - b[0])) {
+    const last = merged.at(-1);
+    if (last && start <= last[1]) last[1] = Math.max(last[1], end);
+    else merged.push([start, end]);
+  }
+  return merged;
 }
 
 const interpolate = (a: number, b: number, share: number): number => (share > 0 ? a + share * (b - a) : a);

@@ -69,12 +69,14 @@ const interpreted = has({
   events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some,
 });
 
+const fact: Check = (value) => Array.isArray(value) && text(value[0]) && text(value[1]) && maybe(finite)(value[2]);
+
 const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   head, round, interpreted,
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
   truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
-  ended: has({ verdict: maybe(text), badge: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text, next: maybe(has({ words: text, command: maybe(text) })) }), facts: list(list(text)) }),
+  ended: has({ verdict: maybe(text), badge: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text, next: maybe(has({ words: text, command: maybe(text) })) }), facts: list(fact) }),
 };
 
 /** Returns a piece with today's names, if it has those of version 0.2.0. */

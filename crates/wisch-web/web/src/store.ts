@@ -1,6 +1,7 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
+import type { Contact } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
 import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
@@ -17,7 +18,7 @@ export interface Instant {
   height: number | null;
   /** Predicted performance, in [0, 1]. */
   performance: number | null;
-  touches: boolean;
+  contact: Contact;
   /** Index of the phase in the plan, -1 before the first. */
   phase: number;
 }
@@ -226,7 +227,7 @@ export class Recording {
       force: round.forceAt(time),
       height: round.valueAt(round.height, time),
       performance: round.growthAt(time),
-      touches: round.touches(time, normal),
+      contact: round.contactAt(time),
       phase: round.phaseAt(time),
     };
   }
@@ -252,6 +253,18 @@ export class Recording {
       since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, shape, actualShape: trueShape(this.truthBefore, shape), estimated: null,
       actual: toMetres(this.truthBefore?.particles), seen: toMetres(this.observedBefore?.detections),
     };
+  }
+
+  /** Returns the round whose result holds at a time: the last one that had ended, until the robot wipes again. */
+  resultAt(t: number): Round | null {
+    const last = this.rounds.findLastIndex((round) => round.end <= t + 1e-6);
+    const [ended, next] = [this.rounds[last], this.rounds[last + 1]];
+    return ended?.interpreted && (!next || t < next.start + next.firstContact) ? ended : null;
+  }
+
+  /** Returns where touch found the surface, as known at a time: at the end of the last round that had ended. */
+  foundAt(t: number): Pose | null {
+    return this.rounds.findLast((round) => round.end <= t + 1e-6)?.interpreted?.found ?? null;
   }
 
   /** Detected events and true pushes, by start time. */

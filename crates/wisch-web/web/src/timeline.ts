@@ -2,6 +2,7 @@
 import { clockText, el, fixed, percent, say } from "./dom.ts";
 import { frames } from "./frames.ts";
 import { isSoftwareRendered } from "./software.ts";
+import { estimateText } from "./words.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
 import { Frame, PLOTS, drawFitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
@@ -11,6 +12,7 @@ import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listenPointer } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
+import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 
 const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
@@ -18,7 +20,7 @@ const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "f
 /** Range of drawn heights [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
 /** Width of the printed timeline [pixels]. */
-const PAPER_PX = 900;
+const PAPER_PX = 700;
 /** Below this height of the view, plots are lower [pixels]. */
 const TIGHT_PX = 700;
 /** Interval between redraws during a live run, with and without a graphics card [ms]. */
@@ -55,7 +57,7 @@ export class Timeline {
         if (clock.playing) clock.pause();
         clock.seek(this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right)));
       },
-      hover: (x, y) => this.hover(x, y),
+      hover: (x) => this.hover(x),
       zoom: (x, factor, moved) => this.zoom(x, factor, moved),
       reset: () => this.reset(),
     });
@@ -97,7 +99,8 @@ export class Timeline {
     const width = isPrinting() ? PAPER_PX : this.element.clientWidth;
     if (!width) return;
     this.frame.layOut(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
-    const ratio = isPrinting() ? 3 : Math.min(devicePixelRatio || 1, 2);
+    const magnified = (this.element as HTMLElement & { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    const ratio = isPrinting() ? 3 : Math.min((devicePixelRatio || 1) * magnified, 2);
     this.base.width = Math.round(width * ratio);
     this.base.height = Math.round(this.frame.height * ratio);
     this.base.style.width = `${width}px`;
@@ -198,7 +201,7 @@ export class Timeline {
       pen.textAlign = "left";
       pen.textBaseline = "middle";
       const plot = PLOTS.has(lane.name);
-      if (!frame.narrow) drawFitted(pen, lane.label, 2, lane.top + (plot ? 8 : lane.height / 2), frame.left - (plot ? 26 : 6));
+      if (!frame.narrow) lane.label.split("\n").forEach((line, i) => drawFitted(pen, line, 2, lane.top + (plot ? 8 + 13 * i : lane.height / 2), frame.left - (plot ? 26 : 6)));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
     drawHighlights(pen, frame, this.highlights);
@@ -225,16 +228,15 @@ export class Timeline {
     Object.assign(this.veil.style, { left: `${measured}px`, width: `${right - measured}px` });
   }
 
-  private hover(x: number | null, y: number): void {
+  private hover(x: number | null): void {
     const { frame } = this;
     const inside = x !== null && x >= frame.left && x <= frame.width - frame.right;
     this.hovered = inside ? x : null;
     this.tip.hidden = !inside;
     if (inside) {
       say(this.tip, this.describe(frame.t(x)).join("\n"));
-      const width = this.tip.offsetWidth;
-      this.tip.style.left = `${Math.max(2, x + 14 + width > frame.width ? x - width - 12 : x + 14)}px`;
-      this.tip.style.top = `${Math.min(Math.max(2, y - 20), Math.max(2, frame.height - this.tip.offsetHeight - 4))}px`;
+      // The tooltip stands above the lanes, so that it covers none of what it explains.
+      this.tip.style.left = `${Math.max(2, Math.min(x - this.tip.offsetWidth / 2, frame.width - this.tip.offsetWidth - 2))}px`;
     }
     this.ask();
   }
@@ -243,21 +245,33 @@ export class Timeline {
   private describe(t: number): string[] {
     const instant = this.recording.at(t);
     if (!instant) return [clockText(t, 2)];
-    const { round, normal, height, performance, phase } = instant;
+    const { round, normal, height, performance, phase, contact } = instant;
     const near = 4 * ((this.frame.to - this.frame.from) / this.frame.span);
     const events = this.recording.happenings.filter(({ start, end }) => t >= start - near && t <= end + near);
     const shown = this.highlights.filter(({ start, end, label }) => label && t >= start - near && t <= end + near).map(({ label }) => label);
-    const interpreted = Math.abs(t - round.end) < 3 * near ? round.interpreted : null;
+    // The mark of a round's end is explained on both sides of it.
+    const ended = this.recording.rounds.findLast((other) => other.interpreted && Math.abs(t - other.end) < 4 * near) ?? this.recording.resultAt(t);
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
       round.plan.phases[phase]?.name ?? "",
       normal === null ? "" : `force ${fixed(normal, 1)} N`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
-      performance === null ? "" : `predicted performance ${percent(performance)}`,
-      interpreted ? `estimated performance ${percent(interpreted.estimate.mean)} (${percent(interpreted.estimate.low)} to ${percent(interpreted.estimate.high)})` : "",
-      interpreted && typeof round.truth?.performance === "number" ? `true performance ${percent(round.truth.performance)}` : "",
+      contact === "none" ? "" : contact === "pushed" ? "pushed: not a contact with the surface" : "contact with the surface",
+      performance === null ? "" : `performance ${percent(performance)} predicted`,
+      ...(ended ? describeResult(ended) : []),
       ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");
   }
+}
+
+/** Explains what is drawn at a round's end. */
+function describeResult(round: Round): string[] {
+  const { estimate } = round.interpreted!;
+  const predicted = round.growthAt(round.length);
+  return [
+    `performance after round ${round.number}: ${estimateText(estimate)} estimated`,
+    predicted === null ? "" : `the estimate after round ${round.number} replaces the prediction of ${percent(predicted)}`,
+    typeof round.truth?.performance === "number" ? `true performance after round ${round.number}: ${percent(round.truth.performance)}` : "",
+  ];
 }

@@ -29,7 +29,7 @@ export function makeTransport(clock: Clock, recording: Recording): { element: HT
     }
     live.hidden = !clock.live;
     live.setAttribute("aria-pressed", String(clock.following));
-    say(time, `${clockText(clock.time)} / ${clockText(clock.duration)}`);
+    say(time, `${clockText(clock.time)} / ${clockText(clock.duration)}${clock.isLate ? " (slower than real time)" : ""}`);
     if (Number(speed.value) !== clock.speed) speed.value = String(clock.speed);
   };
   show();

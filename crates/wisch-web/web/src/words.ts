@@ -1,7 +1,7 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
 import { clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
-import type { Considered, Estimate } from "./recording.ts";
+import type { Considered, Estimate, Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
 import { makeGainTable } from "./strokes.ts";
 import type { Instant, Recording } from "./store.ts";
@@ -29,13 +29,13 @@ const formatKnown = (value: number | null, text: (value: number) => string): str
 /** Returns a table of the candidate plans, by falling score. */
 function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
   const list = [...considered].sort((a, b) => (b.score ?? -Infinity) - (a.score ?? -Infinity));
-  const names = ["Strategy", "Score", "Done", "Lost", "Contact", "Time"];
+  const names = ["Strategy", "Score", "Share", "Lost", "Contact", "Time"];
   const cells = (one: Considered): string[] => [
     formatKnown(one.score, (score) => fixed(score, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
   ];
   return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
     el("table", {},
-      el("caption", {}, "Done: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."),
+      el("caption", {}, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."),
       el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
         el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
@@ -53,6 +53,7 @@ export class Words {
   private readonly headline = el("p", { class: "w-headline" });
   private readonly below = el("p", { class: "w-quiet" });
   private readonly live = { contact: el("dd"), force: el("dd"), height: el("dd"), performance: el("dd") };
+  private readonly performanceName = el("dt", {}, "Predicted");
   private readonly why = el("div");
   private readonly after = el("div");
   private readonly events = el("div");
@@ -70,7 +71,7 @@ export class Words {
       el("div", { class: "w-now" }, this.headline, this.below,
         el("dl", { class: "w-values" },
           el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
-          el("div", {}, el("dt", {}, "Height"), height), el("div", {}, el("dt", {}, "Predicted"), performance))),
+          el("div", {}, el("dt", {}, "Height"), height), el("div", {}, this.performanceName, performance))),
       this.complaint,
       makeSection("Why this plan", true, this.why),
       makeSection("Result", true, this.after),
@@ -111,7 +112,7 @@ export class Words {
       for (const value of Object.values(this.live)) say(value, "\u2013");
       return;
     }
-    const { round, time, normal, height, performance, touches } = instant;
+    const { round, time, normal, height, performance, contact } = instant;
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
     const over = time >= round.length - 1e-6 && round.interpreted;
@@ -119,10 +120,12 @@ export class Words {
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
-    say(this.live.contact, touches ? "yes" : "no");
+    say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);
     say(this.live.height, height === null ? "\u2013" : `${fixed(1000 * height, 1)} mm`);
-    say(this.live.performance, performance === null ? "\u2013" : percent(performance));
+    const result = recording.resultAt(clock.time)?.interpreted;
+    say(this.performanceName, result ? "Estimated" : "Predicted");
+    say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));
   }
 
   private showRound(round: Round | null): void {
@@ -136,6 +139,7 @@ export class Words {
     }
     const { interpreted, truth } = round;
     this.after.replaceChildren(
+      el("p", { class: "w-quiet" }, `Round ${round.number}, known from ${clockText(round.end)} on.`),
       el("p", {}, el("strong", {}, interpreted.verdict), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
         ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
@@ -169,21 +173,38 @@ export class Words {
     ].join(" ").trim());
   }
 
+  /** Lists the numbers of the run and, if it has several rounds, apart from them those of single rounds. */
   private showNumbers(): void {
-    const { head, ended } = this.recording;
+    const { head, ended, rounds } = this.recording;
     if (!head) return;
     const { task, robot } = head;
-    const facts: [string, string][] = [
-      ...(ended?.facts ?? []),
+    const run: Row[] = [
       ...(task ? [
         ["Task", `${task.action} ${task.medium} with ${task.tool} on ${task.surface}`],
         ["Strategy", task.strategy], ["Target", percent(task.target)], ["Seed", String(task.seed)],
-      ] as [string, string][] : []),
-      ...(robot ? [["Robot", `${robot.name}, ${robot.variables.length} variables`] as [string, string]] : []),
+      ] as Row[] : []),
+      ...(robot ? [["Robot", `${robot.name}, ${robot.variables.length} variables`] as Row] : []),
       ["Program", head.program],
-      ...(head.begun ? [["Started", head.begun] as [string, string]] : []),
-      ...(ended?.episode ? [["Episode", ended.episode] as [string, string]] : []),
+      ...(head.begun ? [["Started", head.begun] as Row] : []),
+      ...(ended?.episode ? [["Episode", ended.episode] as Row] : []),
     ];
-    this.numbers.replaceChildren(el("dl", { class: "w-facts" }, ...facts.flatMap(([label, value]) => makeRow(String(label), String(value)))));
+    const known = new Set(run.map(([label]) => label));
+    const groups = new Map<number | null, Row[]>([[null, run]]);
+    for (const fact of ended?.facts ?? []) {
+      if (known.has(fact[0])) continue;
+      const round = rounds.length > 1 ? roundOf(fact, rounds[0]!.number) : null;
+      groups.set(round, [...groups.get(round) ?? [], [fact[0], fact[1]]]);
+    }
+    this.numbers.replaceChildren(...[...groups].flatMap(([round, rows]) => [
+      ...(groups.size > 1 ? [el("h3", {}, round === null ? `Whole run, ${rounds.length} rounds` : `Round ${round}`)] : []),
+      el("dl", { class: "w-facts" }, ...rows.flatMap(([label, value]) => makeRow(String(label), String(value)))),
+    ]));
   }
 }
+
+type Row = [label: string, value: string];
+
+/** Returns the round that a number is about; null for the whole run. A recording of version 0.3 or before does not state it:
+ * it has the numbers of the first plan, and these of the run. */
+const roundOf = ([label, value, round]: Fact, first: number): number | null =>
+  round !== undefined ? round : / in \d+ rounds$/.test(value) || /^(Target performance|Tool held|Maximum path error|Minimum clearance)$/.test(label) ? null : first;

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { PlaneGeometry, Vector3 } from "three";
 import { lift, liftGeometry, liftLine, normalUnder } from "../src/scene/bend.ts";
+import { cutDashes } from "../src/scene/lines.ts";
 
 const pipe = { kind: "cylinder", radius_m: 0.5, axis_rad: Math.PI / 2 };
 const near = (found, wanted) => found.forEach((x, i) => assert.ok(Math.abs(x - wanted[i]) < 1e-6, `${found} instead of ${wanted}`));
@@ -107,4 +108,10 @@ test("the chart of a mesh lies where the surface does", () => {
   const face = liftGeometry(mesh, new PlaneGeometry(0.6, 0.4)).getAttribute("position");
   assert.ok(face.count > 1000 && face.count < 20000, `${face.count}`);
   for (let i = 0; i < face.count; i++) assert.ok(Math.abs(fromAxis([face.getX(i), face.getY(i), face.getZ(i)], pipe) - 0.5) < 1e-4);
+});
+
+test("dashes keep their pattern across corners", () => {
+  const cut = cutDashes([0, 0, 0, 0.04, 0, 0, 0.04, 0, 0, 0.04, 0.035, 0], [0.015, 0.01]);
+  const dashes = Array.from({ length: cut.length / 6 }, (_, i) => cut.slice(6 * i, 6 * i + 6).map((v) => Math.round(1000 * v)));
+  assert.deepEqual(dashes, [[0, 0, 0, 15, 0, 0], [25, 0, 0, 40, 0, 0], [40, 10, 0, 40, 25, 0]]);
 });

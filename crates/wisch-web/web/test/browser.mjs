@@ -53,6 +53,9 @@ const cases = {
     const first = await page.evaluate(() => window.firstFrame);
     note("first frame", Math.round(first), "ms after the page opens", "<= 1000");
     assert.ok(first < 5000);
+    await drawn(page);
+    const texts = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
+    note("first texts", Math.round(texts), "ms after the page opens", "before the first frame");
     await picture("story-light");
     const rows = await page.locator(".w-choice tbody tr").allInnerTexts();
     assert.deepEqual(rows.map((row) => row.split("\t")[0].replace(/[^a-z]/g, "")), ["adaptivechosen", "kde", "rrt"], "the highest score first");
@@ -62,12 +65,16 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
 
     await page.keyboard.press("Space");
-    const [frames, before] = await page.evaluate(() => [wisch.view.frames, performance.now()]);
+    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now(), wisch.view.clock.time]);
+    const [frames, before, begun] = await progress();
     await page.waitForTimeout(3000);
-    const [more, after] = await page.evaluate(() => [wisch.view.frames, performance.now()]);
+    const [more, after, reached] = await progress();
     const rate = ((more - frames) * 1000) / (after - before);
-    note("playing", rate.toFixed(1), "frames/s on software GL", ">= 10");
+    const pace = ((reached - begun) * 1000) / (after - before);
+    note("playing", rate.toFixed(1), "frames/s on software GL", ">= 12");
+    note("playing", pace.toFixed(3), "of real time", "1");
     assert.ok(rate > 2);
+    near(pace, 1, 0.15);
     await page.keyboard.press("Space");
     assert.ok((await time(page)) > 0.5);
     await page.waitForTimeout(200);
@@ -187,7 +194,7 @@ const cases = {
     await page.close();
   },
 
-  async "a printout has the summary, a still of the scene and the timeline"() {
+  async "a printout has the summary, a still of the scene and the timeline on one page"() {
     const { page, complaints, picture } = await show("print", whole, { width: 720, height: 1000, colorScheme: "dark", hash: "#t=9.5" });
     await page.waitForTimeout(500);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(18, 22, 27)", "dark, as the system is");
@@ -195,7 +202,69 @@ const cases = {
     await page.waitForTimeout(400);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
     assert.ok(await page.evaluate(() => document.querySelector(".w-still").naturalWidth > 100));
+    const shrunk = await page.evaluate(() => { const canvas = document.querySelector(".w-timeline canvas"); return canvas.getBoundingClientRect().width / parseFloat(canvas.style.width); });
+    assert.ok(shrunk > 0.9, `texts of the timeline are shrunk to ${shrunk}`);
     await picture("print");
+    const pdf = (await page.pdf({ format: "A4", printBackground: true })).toString("latin1");
+    assert.equal(pdf.match(/\/Type\s*\/Page\b/g).length, 1, "pages");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "on a screen of 3840 pixels the page is magnified, and the timeline still follows the pointer"() {
+    const { page, complaints, picture } = await show("large", whole, { width: 3840, height: 2160 });
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    const line = await page.locator(".w-headline").boundingBox();
+    assert.ok(line.height > 25, `a line of text is ${line.height} pixels high`);
+    const box = await page.locator(".w-timeline").boundingBox();
+    const zoom = await page.evaluate(() => document.querySelector(".w-timeline").currentCSSZoom);
+    const duration = await page.evaluate(() => wisch.view.clock.duration);
+    await page.mouse.click(box.x + zoom * 112 + 0.5 * (box.width - zoom * (112 + 22)), box.y + 60);
+    near(await time(page), 0.5 * duration, 0.1);
+    assert.ok((await wide(page)) <= 0);
+    await page.waitForTimeout(2000);
+    await picture("large");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "forced colours leave marks, states and the cursor visible"() {
+    const { page, complaints, picture } = await show("forced", whole, { forcedColors: "active", colorScheme: "dark", hash: "#t=9.5" });
+    const looks = await page.evaluate(() => {
+      const style = (part) => getComputedStyle(document.querySelector(part));
+      return [style(".w-cursor").backgroundColor, style(".w-timeline").backgroundColor, style(".w-badge").borderTopStyle, style(".w-events button[data-now]").borderLeftWidth, style(".w-events button:not([data-now])").borderLeftWidth];
+    });
+    assert.deepEqual(looks, ["rgb(255, 154, 92)", "rgb(18, 22, 27)", "solid", "6px", "0px"]);
+    await page.waitForTimeout(1000);
+    await picture("forced");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "contact, estimate and found surface are stated as what they are, when they are known"() {
+    const { page, complaints, picture } = await show("time", whole);
+    const at = async (t) => {
+      await page.evaluate((time) => wisch.view.seek(time), t);
+      await page.waitForTimeout(400);
+      return page.evaluate(() => [...document.querySelectorAll(".w-values > div")].map((pair) => pair.innerText.replaceAll("\n", " ")));
+    };
+    const [first, second] = await page.evaluate(() => wisch.recording.rounds.map(({ end }) => end));
+    assert.equal((await at(2.5))[0], "Contact yes");
+    const pushed = await at(9.5);
+    assert.deepEqual([pushed[0], pushed[3].split(" ")[0]], ["Contact pushed", "Predicted"]);
+    assert.equal((await at(0.2))[0], "Contact none");
+    assert.match((await at(first + 0.1))[3], /^Estimated \d+/);
+    assert.match((await at(second))[3], /^Estimated \d+/);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    const box = await page.locator(".w-timeline").boundingBox();
+    await page.mouse.move(box.x + 112 + (first / second) * (box.width - 112 - 22), box.y + 260);
+    await drawn(page);
+    const tip = await page.locator(".w-tip").innerText();
+    assert.match(tip, /performance after round 1: \d+\u202f% \(90\u202f%: .*\) estimated\nthe estimate after round 1 replaces the prediction of \d+\u202f%\ntrue performance after round 1/);
+    const cover = await page.locator(".w-tip").boundingBox();
+    assert.ok(cover.y + cover.height <= box.y, "the tooltip covers the lanes");
+    await picture("time");
+    assert.match(await page.locator(".w-words").innerText(), /Round 2, known from 25\.\d s on[^]*Whole run, 2 rounds[^]*Round 1\s+Strokes\s+5\s+Round 2\s+Strokes\s+2/);
     assert.deepEqual(complaints, []);
     await page.close();
   },

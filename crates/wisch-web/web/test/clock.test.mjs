@@ -52,6 +52,20 @@ test("the clock does not jump after a tab was suspended", () => {
   assert.ok(clock.time < 1.5);
 });
 
+test("the clock keeps real time however slow frames are, and says when it cannot", () => {
+  const h = hand();
+  const clock = new Clock(h.frames);
+  clock.join({ duration: 100, now: 100, live: false });
+  clock.play();
+  h.pass(3, 0.6);
+  near(clock.time, 3, 1e-6);
+  assert.equal(clock.isLate, false);
+  h.pass(12, 4);
+  assert.equal(clock.isLate, true);
+  h.pass(0.1);
+  assert.equal(clock.isLate, false);
+});
+
 test("seeking is clamped to the recording, and notifies subscribers", () => {
   const clock = new Clock(hand().frames);
   clock.join({ duration: 4, now: 4, live: false });

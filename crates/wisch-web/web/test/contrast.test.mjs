@@ -16,7 +16,7 @@ const contrast = (a, b) => {
 
 /** WCAG 2.2: contrast of 4.5 for text, and of 3 for marks with a meaning. */
 const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"]];
-const MARKS = ["believed", "estimated", "actual", "seen", "by-touch", "contact", "force", "height", "cursor", "collision", "hand", "event", "push", "found"];
+const MARKS = ["believed", "estimated", "actual", "seen", "by-touch", "contact", "force", "height", "cursor", "collision", "hand", "event", "pushed", "found"];
 
 test("each colour has one light and one dark value", () => {
   assert.equal(blocks.length, 2);

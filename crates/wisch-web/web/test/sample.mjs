@@ -183,7 +183,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       sure: "With 90 % probability between 84 % and 96 % of the breadcrumbs lie at the goal.",
       surer: "A look at the board from the other side would show the 20 cm\u00b2 that were hidden.",
     },
-    facts: [["Rounds", "2"], ["Wiped for", "25.6 s"], ["Path in contact", "1.94 m"], ["Mean force", "8.1 N"], ["Largest force", "17.6 N"]],
+    facts: [["Strokes", "5", 1], ["Strokes", "2", 2], ["Rounds", "2", null], ["Wiped for", "25.6 s", null], ["Path in contact", "1.94 m", null], ["Mean force", "8.1 N", null], ["Largest force", "17.6 N", null]],
     episode: null,
   });
   return pieces;

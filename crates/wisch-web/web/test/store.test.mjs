@@ -143,3 +143,62 @@ test("columns grow, and the search finds the last entry of at most a value", () 
   assert.equal(lastAtMost(column.data, -1, column.length), -1);
   assert.equal(lastAtMost(column.data, 1e9, column.length), 99);
 });
+
+/** A round of 2 s with a sample every 0.1 s: force and height by time, and its result if there is one. */
+function roundOf(force, height, result = null) {
+  const t = Array.from({ length: 21 }, (_, i) => i / 10);
+  const recording = new Recording();
+  const plan = pieces.find(({ piece }) => piece === "round");
+  recording.apply(pieces[0]);
+  recording.apply({ ...plan, duration: 2 });
+  recording.apply({
+    piece: "samples", round: 1, t, q: {}, tool: t.flatMap(() => [0, 0, 0, 0, 0, 0, 1]), force: t.flatMap((time) => [0, 0, force(time)]),
+    normal: t.map(force), height: t.map(height),
+  });
+  if (result) recording.apply({ ...pieces.find(({ piece }) => piece === "interpreted"), duration: 2, events: [], ...result });
+  assert.equal(recording.broken, 0);
+  return recording;
+}
+
+test("a force high above the surface is a push and no contact", () => {
+  const force = (t) => (t > 0.35 && t < 1.55 ? 10 : 0);
+  const height = (t) => (t > 0.95 ? 0.09 : 0);
+  for (const result of [null, { contacts: [[0.4, 0.9]] }]) {
+    const recording = roundOf(force, height, result);
+    assert.deepEqual([0.1, 0.5, 1.2, 1.8].map((t) => recording.at(t).contact), ["none", "contact", "pushed", "none"]);
+    assert.deepEqual(recording.rounds[0].contacts, recording.rounds[0].contacts, "is computed once");
+  }
+  const pushed = roundOf(force, () => 0, { contacts: [[0.4, 1.5]], events: [{ kind: "collision", start: 0.8, end: 1, words: "", by_hand: false }] });
+  assert.deepEqual([0.5, 0.9, 1.2].map((t) => pushed.at(t).contact), ["contact", "pushed", "contact"]);
+});
+
+test("an interval of contact without force is none", () => {
+  const recording = roundOf((t) => (t > 0.95 && t < 1.55 ? 10 : 0.1), (t) => Math.abs(t - 0.3) / 10, { contacts: [[0.28, 0.33], [1, 1.5]] });
+  assert.deepEqual(recording.rounds[0].contacts.contact, [[1, 1.5]]);
+  assert.equal(recording.at(0.3).contact, "none");
+});
+
+test("a plan without measured force has its planned contact", () => {
+  const planned = Recording.parse(lines(pieces.filter(({ piece }) => piece === "head" || piece === "round").slice(0, 2)));
+  const phase = planned.rounds[0].plan.phases.find(({ contact }) => contact);
+  assert.equal(planned.at((phase.start + phase.end) / 2).contact, "contact");
+  assert.equal(planned.at(phase.start - 0.1).contact, "none");
+});
+
+test("results and found surfaces are known from the round's end on, and estimates until the robot wipes again", () => {
+  const recording = Recording.parse(text);
+  const [first, second] = recording.rounds;
+  assert.equal(recording.resultAt(first.end - 0.01), null);
+  assert.equal(recording.resultAt(first.end), first);
+  assert.equal(recording.resultAt(second.start + second.firstContact + 0.01), null);
+  assert.equal(recording.resultAt(recording.duration), second);
+  assert.equal(recording.foundAt(first.end - 0.01), null);
+  assert.deepEqual(recording.foundAt(first.end), first.interpreted.found);
+});
+
+test("a number of an old recording is read, as is one that states its round", () => {
+  const facts = [["Strokes", "5", 1], ["Execution time", "26 s", null], ["Seed", "1"]];
+  const recording = Recording.parse(lines(pieces.map((piece) => (piece.piece === "ended" ? { ...piece, facts } : piece))));
+  assert.equal(recording.broken, 0);
+  assert.deepEqual(recording.ended.facts, facts);
+});

@@ -23,6 +23,22 @@ export function chain(corners: readonly (readonly [number, number, number])[], c
   return ends;
 }
 
+/** Cuts segments into dashes of a pattern that goes on across corners; unlike a dashed material it takes no shader of its own. */
+export function cutDashes(ends: readonly number[], [dash, gap]: readonly [number, number]): number[] {
+  const cut: number[] = [];
+  let way = 0;
+  for (let i = 0; i + 5 < ends.length; i += 6) {
+    const at = (share: number) => [0, 1, 2].map((k) => ends[i + k]! + share * (ends[i + 3 + k]! - ends[i + k]!));
+    const length = Math.hypot(ends[i + 3]! - ends[i]!, ends[i + 4]! - ends[i + 1]!, ends[i + 5]! - ends[i + 2]!);
+    for (let from = -(way % (dash + gap)); from < length; from += dash + gap) {
+      const [start, end] = [Math.max(0, from), Math.min(length, from + dash)];
+      if (end > start) cut.push(...at(start / length), ...at(end / length));
+    }
+    way += length;
+  }
+  return cut;
+}
+
 /** Segments that are added one by one, each with a colour of the palette; `show` draws the first ones. */
 export class GrowingSegments {
   readonly line: LineSegments2;

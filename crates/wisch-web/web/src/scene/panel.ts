@@ -7,7 +7,7 @@ import type { Layers } from "./stage.ts";
 import type { Recording } from "../store.ts";
 
 const NAMES: Record<keyof Layers, string> = {
-  believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt", seen: "Observed dirt",
+  believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
   path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface",
 };
 

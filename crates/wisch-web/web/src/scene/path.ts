@@ -8,7 +8,7 @@ import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import type { Pose } from "../recording.ts";
-import type { Round } from "../round.ts";
+import type { Contact, Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
 const STEP_M = 0.0015;
@@ -20,9 +20,9 @@ const AXIS_M = 0.1;
 /** Size of the dots at samples and origins [pixels]. */
 const DOT_PX = 11;
 
-const LIFTED = 0;
-const CONTACT = 1;
-const palette = (): Color[] => [new Color(colour("lifted")), new Color(colour("contact"))];
+/** Places of the states in the palette. */
+const KINDS: Record<Contact, number> = { none: 0, contact: 1, pushed: 2 };
+const palette = (): Color[] => ["lifted", "contact", "pushed"].map((name) => new Color(colour(name)));
 
 export class Path {
   private readonly lines = new GrowingSegments(3, palette());
@@ -30,7 +30,9 @@ export class Path {
   private taken = 0;
   private step = STEP_M;
   private last: Vector3 | null = null;
-  private kind = LIFTED;
+  private kind = KINDS.none;
+  /** Whether the colours follow from the result of the round. */
+  private interpreted = false;
 
   constructor(readonly round: Round) {}
 
@@ -83,10 +85,8 @@ export class Path {
     return tool.addScaledVector(normalUnder(this.round.plan.surface, tool), 1.5 * ABOVE);
   }
 
-  /** Restarts with segments twice as long. */
-  private coarsen(): void {
-    this.step *= 2;
-    this.taken = -1;
+  private restart(): void {
+    this.taken = 0;
     this.last = null;
     this.lines.count = 0;
     this.times.length = 0;
@@ -94,12 +94,14 @@ export class Path {
 
   private grow(): void {
     const { round } = this;
-    for (; this.taken < round.count; this.taken++) {
-      const i = this.taken;
+    if (this.interpreted !== Boolean(round.interpreted)) this.restart();
+    this.interpreted = Boolean(round.interpreted);
+    while (this.taken < round.count) {
+      const i = this.taken++;
       const time = round.t.data[i]!;
       const place = this.place(i);
       if (!Number.isFinite(place.x + place.y + place.z)) continue;
-      const kind = round.touches(time, round.normal.data[i]!) ? CONTACT : LIFTED;
+      const kind = KINDS[round.contactAt(time)];
       if (this.last && this.last.distanceToSquared(place) < this.step ** 2 && (kind === this.kind || this.step > 2 * STEP_M)) continue;
       if (this.last) {
         this.lines.push([...this.last.toArray(), ...place.toArray()], kind);
@@ -107,7 +109,11 @@ export class Path {
       }
       this.last = place;
       this.kind = kind;
-      if (this.lines.count > MOST_SEGMENTS) this.coarsen();
+      if (this.lines.count > MOST_SEGMENTS) {
+        // Restarts with segments twice as long.
+        this.step *= 2;
+        this.restart();
+      }
     }
   }
 }

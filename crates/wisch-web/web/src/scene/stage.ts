@@ -71,6 +71,8 @@ export class Stage {
   private readonly marks = new Marks();
   private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
   private sized = false;
+  private apply = () => {};
+  private first: number | null = null;
   private readonly moved = () => this.draw();
   private time = 0;
   /** Number of drawn frames, for measurements. */
@@ -112,6 +114,13 @@ export class Stage {
   /** Sets the size of the canvas, and the width that a panel covers on its left [pixels]. */
   resize(width: number, height: number, covered: number): void {
     if (!width || !height) return;
+    this.apply = () => this.applySize(width, height, covered);
+    if (this.sized || !this.painter.software) return this.apply();
+    // Without a graphics card the first frame takes long. The texts are shown before it.
+    this.first ??= requestAnimationFrame(() => setTimeout(() => { if (this.canvas.isConnected) this.apply(); }));
+  }
+
+  private applySize(width: number, height: number, covered: number): void {
     this.painter.size(width, height);
     this.camera.shape(width, height, covered);
     if (!this.sized) this.home = null;
@@ -228,7 +237,7 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows;
+    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
   }
@@ -245,7 +254,7 @@ export class Stage {
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     if (!this.home) this.initView(instant);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke);
+    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time));
     this.camera.follow(this.robot?.toolPlace ?? null);
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));

@@ -8,14 +8,17 @@ import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";
-import { LineMaterial, chain, segments } from "./lines.ts";
+import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
+import { TRUTH_DASH } from "../timeline/frame.ts";
 import { type Bend, trueShape } from "../store.ts";
 import type { Round } from "../round.ts";
 import type { MeshRecord, Pose } from "../recording.ts";
 
 /** Height above the surface at which flat items are drawn [m]. */
 export const ABOVE = 0.0015;
+/** Length of a unit of the dashes that mark the truth [m]. */
+const DASH_M = 0.005;
 
 /** Converts positions (x, y alternating) to corners above the surface. */
 export function corners(places: number[], above = ABOVE): Corner[] {
@@ -61,10 +64,9 @@ export class Still {
     this.group.add(placeAt(this.strokeGroup, plan.surface.pose));
   }
 
-  /** Shows the outlines of the found and the true surface, and emphasises the current stroke. */
-  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null): void {
-    const { interpreted, truth } = this.round;
-    const found = interpreted?.found ?? null;
+  /** Shows the outlines of the true surface and of the one that is known as found, and emphasises the current stroke. */
+  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, found: Pose | null): void {
+    const { truth } = this.round;
     if (found !== this.foundAt) {
       this.foundAt = found;
       if (this.found) this.group.remove(this.found);
@@ -140,10 +142,9 @@ export class Still {
   /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
   private outlineAt(pose: Pose, shape: Bend, name: string, tint: number): Group {
     const group = placeAt(new Group(), pose);
-    const line = new LineMaterial({ linewidth: tint ? 3 : 2, dashed: !tint, dashSize: 0.015, gapSize: 0.01 });
-    const outline = segments(this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + ABOVE]), true), true)), this.keep(line, name));
-    if (!tint) outline.computeLineDistances();
-    group.add(outline);
+    const line = this.keep(new LineMaterial({ linewidth: tint ? 3 : 2 }), name);
+    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (tint ? 1 : 2) * ABOVE]), true), true));
+    group.add(segments(tint ? ends : cutDashes(ends, [DASH_M * TRUTH_DASH[0], DASH_M * TRUTH_DASH[1]]), line));
     const face = tint ? this.face() : null;
     if (face) {
       const material = new MeshLambertMaterial({ transparent: true, opacity: tint, depthWrite: false });

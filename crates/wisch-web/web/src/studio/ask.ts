@@ -35,6 +35,8 @@ export class Ask {
       el("div", { class: "s-field" }, this.field, this.completer.list),
       el("div", { class: "s-row" }, this.button, el("span", { class: "w-quiet" }, "Enter: ask; Shift + Enter: new line; Tab: complete")),
       this.fault, this.examples, this.result);
+    // A message is about the query as it was asked.
+    this.field.addEventListener("input", () => { this.fault.hidden = true; });
     void this.loadVocabulary();
   }
 

@@ -32,6 +32,7 @@ export class StartDialog {
     this.list.append(el("li", {}, "Loading \u2026"));
     // A click outside the dialog closes it.
     this.element.addEventListener("click", (event) => { if (event.target === this.element) this.element.close(); });
+    this.element.addEventListener("input", () => { this.fault.hidden = true; });
   }
 
   open(): void {
@@ -55,6 +56,7 @@ export class StartDialog {
     const seed = this.seed.value.trim();
     if (!task) return this.complain("The path is empty. Enter the path of a task file.");
     if (seed && !/^\d+$/.test(seed)) return this.complain("The seed must be a whole number, 0 or greater.");
+    this.fault.hidden = true;
     this.setBusy(true);
     try {
       const id = await startRun(task, seed ? Number(seed) : null, this.strategy.value || null);

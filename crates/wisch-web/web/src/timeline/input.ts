@@ -2,7 +2,7 @@
 
 export interface Handlers {
   seek(x: number): void;
-  hover(x: number | null, y: number): void;
+  hover(x: number | null): void;
   /** Zooms by a factor about x, then moves by `moved` [pixels]. */
   zoom(x: number, factor: number, moved: number): void;
   reset(): void;
@@ -11,8 +11,11 @@ export interface Handlers {
 export function listenPointer(element: HTMLElement, handlers: Handlers): void {
   const pointers = new Map<number, number>();
   let pinched = false;
-  const xOf = (event: MouseEvent) => event.clientX - element.getBoundingClientRect().left;
-  const yOf = (event: MouseEvent) => event.clientY - element.getBoundingClientRect().top;
+  /** Pixels of the element, which the page may show magnified. */
+  const xOf = (event: MouseEvent) => {
+    const { left, width } = element.getBoundingClientRect();
+    return (event.clientX - left) * (element.clientWidth / width || 1);
+  };
   const measurePinch = () => {
     const [a = 0, b = 0] = [...pointers.values()];
     return { middle: (a + b) / 2, distance: Math.max(10, Math.abs(a - b)) };
@@ -30,7 +33,7 @@ export function listenPointer(element: HTMLElement, handlers: Handlers): void {
   });
   element.addEventListener("pointermove", (event) => {
     if (!pointers.has(event.pointerId)) {
-      handlers.hover(xOf(event), yOf(event));
+      handlers.hover(xOf(event));
       return;
     }
     const before = measurePinch();
@@ -39,17 +42,17 @@ export function listenPointer(element: HTMLElement, handlers: Handlers): void {
       const now = measurePinch();
       handlers.zoom(before.middle, before.distance / now.distance, now.middle - before.middle);
     } else if (!pinched) {
-      handlers.hover(xOf(event), yOf(event));
+      handlers.hover(xOf(event));
       handlers.seek(xOf(event));
     }
   });
   const up = (event: PointerEvent) => {
     pointers.delete(event.pointerId);
-    if (event.pointerType !== "mouse") handlers.hover(null, 0);
+    if (event.pointerType !== "mouse") handlers.hover(null);
   };
   element.addEventListener("pointerup", up);
   element.addEventListener("pointercancel", up);
-  element.addEventListener("pointerleave", () => handlers.hover(null, 0));
+  element.addEventListener("pointerleave", () => handlers.hover(null));
   element.addEventListener("dblclick", () => handlers.reset());
   element.addEventListener("wheel", (event) => {
     const { scrollHeight, clientHeight } = document.documentElement;

@@ -1,7 +1,7 @@
 // Lanes of the timeline: rounds, phases and strokes, contact, events.
 import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
-import { drawFitted, drawLine, font, ticks } from "./frame.ts";
+import { TRUTH_DASH, drawFitted, drawLine, font, ticks } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
 import type { Happening, Recording } from "../store.ts";
@@ -78,20 +78,28 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
   pen.fillRect(frame.left, lane.top, frame.span, lane.height);
   for (const round of recording.rounds) {
     if (!clipInterval(frame, round.start, round.end)) continue;
-    pen.fillStyle = colour("contact");
-    if (round.contacts) {
-      for (const [from, to] of round.contacts) {
+    const { contact, pushed } = round.contacts;
+    for (const [name, intervals] of [["contact", contact], ["pushed", pushed]] as const) {
+      pen.fillStyle = colour(name);
+      for (const [from, to] of intervals) {
         const place = clipInterval(frame, round.start + from, round.start + to);
-        if (place) pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
+        if (!place) continue;
+        if (name === "contact") pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
+        else drawPushed(pen, lane, place);
       }
-    } else {
-      // Before the result, contact is where the measured force exceeds the threshold.
-      forEachPixel(frame, round, (x, from, to) => {
-        const range = round.normal.range(from, to);
-        if (range && range[1] > round.touchForce) pen.fillRect(x, lane.top, 1, lane.height);
-      });
     }
   }
+}
+
+/** Draws a push as a block with stripes, so that more than its colour tells it from contact. */
+function drawPushed(pen: Pen, lane: Lane, [from, to]: [number, number]): void {
+  pen.fillRect(from, lane.top, to - from, lane.height);
+  pen.save();
+  pen.beginPath();
+  pen.rect(from, lane.top, to - from, lane.height);
+  pen.clip();
+  for (let x = from - lane.height; x < to; x += 5) drawLine(pen, x, lane.top + lane.height, x + lane.height, lane.top, "paper", 1.4);
+  pen.restore();
 }
 
 /** Calls `draw` for each column of pixels with the index range of its samples. */
@@ -109,7 +117,7 @@ export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from:
 
 /** Returns the name of an event's colour. */
 export const eventColour = ({ source, kind, byHand }: Happening): string =>
-  source === "push" ? "push" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
+  source === "push" ? "actual" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   pen.fillStyle = colour("lane");
@@ -123,7 +131,7 @@ export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Record
     pen.fillStyle = pen.strokeStyle = colour(name);
     if (event.source === "push") {
       pen.lineWidth = 1.5;
-      pen.setLineDash([3, 2]);
+      pen.setLineDash(TRUTH_DASH);
       pen.strokeRect(from + 0.5, lane.top + 1.5, Math.max(2, to - from - 1), lane.height - 3);
       pen.setLineDash([]);
       continue;

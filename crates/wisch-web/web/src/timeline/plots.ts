@@ -1,7 +1,7 @@
 // Plots over time: force, height and performance.
 import { colour } from "../theme.ts";
 import { forEachPixel } from "./lanes.ts";
-import { drawLine, font, levels } from "./frame.ts";
+import { PREDICTED_DASH, drawLine, font, levels } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
@@ -89,7 +89,10 @@ function drawEnvelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, 
   });
 }
 
-/** Draws predicted, estimated and true performance, and the target. */
+/** Width of the band of the last estimate, and least width of the others [pixels]. */
+const BAND_PX = 14;
+
+/** Draws performance: predicted dotted, estimated as bands, true as crosses, and the target. */
 export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
   const target = recording.head?.task?.target;
@@ -102,12 +105,12 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
     }
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
-      drawGrowth(pen, frame, round, y);
+      drawPrediction(pen, frame, round, y);
     }
   });
-  for (const round of recording.rounds) {
-    if (round.interpreted && round.end >= frame.from && round.end <= frame.to + 1e-9) drawWhiskers(pen, frame.x(round.end), y, round);
-  }
+  recording.rounds.forEach((round, i) => {
+    if (round.interpreted && round.end >= frame.from && round.end <= frame.to + 1e-9) drawResult(pen, frame, round, recording.rounds[i + 1], y);
+  });
   if (target === undefined) return;
   font(pen, 10);
   pen.fillStyle = colour("target");
@@ -116,11 +119,13 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   pen.fillText(`target ${Math.round(100 * target)}\u202f%`, frame.left + 5, y(target) + (target > 0.8 ? 3 : -2));
 }
 
-function drawGrowth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
+function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   const points = round.plan.growth;
   if (!points.length) return;
   pen.strokeStyle = colour("believed");
-  pen.lineWidth = 1.8;
+  pen.lineWidth = 2.2;
+  pen.lineCap = "round";
+  pen.setLineDash(PREDICTED_DASH);
   pen.beginPath();
   points.forEach(([time, share], i) => {
     const x = frame.x(round.start + Math.min(time, round.length));
@@ -130,20 +135,41 @@ function drawGrowth(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   const last = points.at(-1)!;
   if (last[0] < round.length) pen.lineTo(frame.x(round.end), y(last[1]));
   pen.stroke();
+  pen.setLineDash([]);
+  pen.lineCap = "butt";
 }
 
-function drawWhiskers(pen: Pen, x: number, y: Scale, { interpreted, truth }: Round): void {
-  const { estimate, by_touch } = interpreted!;
-  drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
+/** Draws what is known from a round's end on: the estimate as a band until the next stroke, an arrow from the prediction that
+ * it replaces, the estimate from touch, and the true performance. */
+function drawResult(pen: Pen, frame: Frame, round: Round, next: Round | undefined, y: Scale): void {
+  const { estimate, by_touch } = round.interpreted!;
+  const x = frame.x(round.end);
+  const until = next ? frame.x(next.start + next.firstContact) : 0;
+  const to = Math.min(Math.max(x + BAND_PX, until), frame.width - 4);
   pen.fillStyle = colour("interval");
-  pen.fillRect(x - 6, y(estimate.high), 12, y(estimate.low) - y(estimate.high));
-  drawWhisker(pen, x, y, estimate, "estimated", 2, 5);
-  if (truth?.performance === null || truth?.performance === undefined) return;
-  const at = y(truth.performance);
+  pen.fillRect(x, y(estimate.high), to - x, Math.max(1, y(estimate.low) - y(estimate.high)));
+  for (const bound of [estimate.low, estimate.high]) drawLine(pen, x, y(bound), to, y(bound), "estimated", 1);
+  drawLine(pen, x, y(estimate.mean), to, y(estimate.mean), "estimated", 2.4);
+  const predicted = round.growthAt(round.length);
+  if (predicted !== null) drawJump(pen, x, y(predicted), y(estimate.mean));
+  // Without a camera both estimates are one.
+  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
+  const truth = round.truth?.performance ?? null;
+  if (truth === null) return;
+  const at = y(truth);
   for (const [width, name] of [[5, "paper"], [2.4, "actual"]] as const) {
-    drawLine(pen, x + 7, at - 4.5, x + 16, at + 4.5, name, width);
-    drawLine(pen, x + 16, at - 4.5, x + 7, at + 4.5, name, width);
+    drawLine(pen, x + 3, at - 4.5, x + 12, at + 4.5, name, width);
+    drawLine(pen, x + 12, at - 4.5, x + 3, at + 4.5, name, width);
   }
+}
+
+/** Draws an arrow from the predicted to the estimated value. */
+function drawJump(pen: Pen, x: number, from: number, to: number): void {
+  drawLine(pen, x, from, x, to, "ink", 1.4);
+  if (Math.abs(to - from) < 8) return;
+  const back = 6 * Math.sign(from - to);
+  drawLine(pen, x - 3.5, to + back, x, to, "ink", 1.4);
+  drawLine(pen, x + 3.5, to + back, x, to, "ink", 1.4);
 }
 
 function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate, name: string, width: number, cap: number): void {
