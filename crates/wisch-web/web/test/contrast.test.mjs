@@ -23,7 +23,7 @@ const SHADOW = 0.82;
 
 /** What marks lie on: the board in the scene, also in the goal and in a shadow; the rest of the scene; pictures of the board; lanes. */
 const grounds = (c) => ({
-  board: [c["surface-3d"], blend(c.goal, c["surface-3d"], GOAL_IN_SCENE), lit(c["surface-3d"], SHADOW)],
+  board: [c["surface-3d"], c["sheet-3d"]].flatMap((board) => [board, blend(c.goal, board, GOAL_IN_SCENE), lit(board, SHADOW)]),
   scene: [c.scene, c["scene-low"], c.carrier, c.obstacle],
   picture: [c.paper, c.card, c.ground, blend(c.goal, c.ground, GOAL_IN_PICTURE)],
   lanes: [c.paper, c.lane, c.card],

@@ -47,7 +47,7 @@ export class Robot {
   readonly group = new Group();
   private readonly tree: Tree | null;
   private readonly links: Group[] = [];
-  private readonly tool: Mesh;
+  readonly tool: Mesh;
   private readonly linkFromTool: Matrix4;
   private readonly parts: Part[][];
   private readonly toolGeometry: BufferGeometry;
@@ -101,9 +101,14 @@ export class Robot {
     this.tool.matrixWorldNeedsUpdate = true;
   }
 
-  /** The links of the wiping arm, and the tool. */
-  get working(): Object3D[] {
-    return [...this.links.filter((_, i) => this.head.robot!.links[i]!.arm), this.tool];
+  /** The links that can hide something: not the translucent shape round the tool. */
+  get limbs(): Object3D[] {
+    return this.links.filter((_, i) => i !== this.head.tool.link || this.head.robot!.links[i]!.visual);
+  }
+
+  /** Draws the robot over what lies behind it, as it must be while it is translucent. */
+  set last(last: boolean) {
+    for (const link of this.links) for (const mesh of link.children) mesh.renderOrder = last ? 9 : 0;
   }
 
   /** Position of the tool in the world [m]. */
@@ -111,8 +116,8 @@ export class Robot {
     return new Vector3().setFromMatrixPosition(this.tool.matrix);
   }
 
-  /** Returns the position of a link in the world [m]. */
-  linkPlace(index: number): Vector3 {
-    return new Vector3().setFromMatrixPosition(this.links[index]?.matrix ?? new Matrix4());
+  /** Position of the first link with a shape in the world [m]. */
+  get rootPlace(): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.links.find((link) => link.children.length)?.matrix ?? new Matrix4());
   }
 }
