@@ -22,7 +22,7 @@ const angles = { high, wide: high * ASPECT };
 function open(pieces) {
   const recording = Recording.parse(lines(pieces));
   const look = new MeshBasicMaterial();
-  const robot = new Robot(recording.head, recording.meshes, { body: [look, look], arm: [look, look], hand: look, tool: look, coloured: () => look });
+  const robot = new Robot(recording.head, recording.meshes, { body: [look, look], arm: [look, look], hand: look, collision: look, tool: look, coloured: () => look });
   const [round] = recording.rounds;
   const still = new Still(round, recording);
   const shots = new Shots(recording, robot, still);
@@ -91,6 +91,19 @@ test("the camera is close at strokes and wide in free motion", () => {
   assert.match(shots.at(round.length).key, /free/);
   const keys = new Set(Array.from({ length: 200 }, (_, i) => shots.at((i / 200) * round.length).key));
   assert.ok(keys.size <= 2 * round.plan.phases.filter(({ contact }) => contact).length + 1, `${keys.size} cuts`);
+});
+
+test("collision shapes beside visual ones are shown on request, and hide nothing else", () => {
+  const pieces = sample();
+  pieces[0] = { ...pieces[0], robot: { ...pieces[0].robot, links: pieces[0].robot.links.map((link) => ({ ...link, visual: true, collision: link.shapes })) } };
+  const { robot, stand } = open(pieces);
+  stand(2);
+  const count = () => blocksOf([robot.group]).length;
+  const before = count();
+  robot.collisionShown = true;
+  assert.equal(count() - before, pieces[0].robot.links.flatMap(({ shapes }) => shapes).length);
+  robot.collisionShown = false;
+  assert.equal(count(), before);
 });
 
 test("a round without samples is seen too", () => {

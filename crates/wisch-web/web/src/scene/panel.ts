@@ -8,7 +8,7 @@ import type { Recording } from "../store.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt", seen: "Observed dirt",
-  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface",
+  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
 };
 
 /** A legend entry of queried data: a line, or particles in a state. */
@@ -87,6 +87,7 @@ export class ScenePanel {
       force: rounds.some(({ count }) => count > 0),
       events: this.recording.happenings.length > 0,
       found: rounds.some(({ interpreted }) => interpreted?.found != null),
+      collision: this.recording.head?.robot?.links.some(({ collision }) => collision?.length) ?? false,
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
     for (const [name, box] of this.boxes) box.hidden = !has[name];

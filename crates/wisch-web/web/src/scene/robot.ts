@@ -2,8 +2,7 @@
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
-import type { Head, JointRecord, Pose, Rgba } from "../recording.ts";
-import type { MeshRecord } from "../recording.ts";
+import type { Head, JointRecord, MeshRecord, Pose, Rgba, Solid } from "../recording.ts";
 
 /** Forward kinematics: world_from_link = world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
 export class Tree {
@@ -34,6 +33,8 @@ export interface RobotMaterials {
   body: [Material, Material];
   arm: [Material, Material];
   hand: Material;
+  /** Of collision shapes beside visual ones. */
+  collision: Material;
   tool: Material;
   /** Returns the material of a shape with its own colour. */
   coloured(color: Rgba): Material;
@@ -47,6 +48,7 @@ export class Robot {
   readonly group = new Group();
   private readonly tree: Tree | null;
   private readonly links: Group[] = [];
+  private readonly collision: Mesh[] = [];
   readonly tool: Mesh;
   private readonly linkFromTool: Matrix4;
   private readonly parts: Part[][];
@@ -71,6 +73,7 @@ export class Robot {
         mesh.castShadow = mesh.receiveShadow = !shared;
         link.add(mesh);
       }
+      if (!shared) this.addCollision(link, robot!.links[i]!.collision ?? [], meshes, materials.collision);
       this.links.push(link);
       this.group.add(link);
     });
@@ -99,6 +102,21 @@ export class Robot {
     if (worldFromLink) this.tool.matrix.multiplyMatrices(worldFromLink, this.linkFromTool);
     else if (toolPose) matrix(toolPose, this.tool.matrix).multiply(this.linkFromTool);
     this.tool.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Shows the shapes that collisions are checked with, where the recording has them beside visual ones. */
+  set collisionShown(shown: boolean) {
+    for (const mesh of this.collision) mesh.visible = shown;
+  }
+
+  private addCollision(link: Group, shapes: readonly Solid[], meshes: MeshRecord[], material: Material): void {
+    for (const shape of shapes) {
+      const mesh = new Mesh(geometryOf(shape, meshes), material);
+      mesh.matrixAutoUpdate = mesh.visible = false;
+      matrix(shape.pose, mesh.matrix);
+      this.collision.push(mesh);
+      link.add(mesh);
+    }
   }
 
   /** The links that can hide something: not the translucent shape round the tool. */

@@ -12,7 +12,7 @@ const MOMENTS = 5;
 /** The camera is close from this time before a stroke until this time after it [s]. */
 const LEAD_S = 1.5;
 /** Space around the places of the tool during a stroke [m], and their number. */
-const ROOM_M = 0.12;
+const ROOM_M = 0.07;
 const PLACES = 8;
 /** Height over the surface at which its points are tested for sight [m]. */
 const OVER_M = 0.01;

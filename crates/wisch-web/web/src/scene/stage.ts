@@ -1,6 +1,6 @@
 // The 3-D scene at the time of the clock, drawn only when something changes.
 import {
-  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
+  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { frames } from "../frames.ts";
@@ -26,9 +26,9 @@ import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
 import type { Instant, Recording } from "../store.ts";
 
-export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface", boolean>;
+export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
 export const LAYERS: Layers = {
-  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true,
+  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true, collision: false,
 };
 
 /** The robot at a time of the common clock [s], drawn translucent. */
@@ -110,7 +110,7 @@ export class Stage {
       own.set(rgba.join(), material);
       return material;
     };
-    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial(), coloured, own };
+    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
     this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
@@ -210,7 +210,7 @@ export class Stage {
         if (!instant) continue;
         const look = ghostMaterial();
         look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look, coloured: () => look }, this.robot);
+        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, collision: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
       }
@@ -220,9 +220,9 @@ export class Stage {
 
   paint(): void {
     const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, hand, tool } = this.materials;
+    const { body, arm, hand, collision, tool } = this.materials;
     set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
-    set(hand, "arm-1"); set(tool, "tool");
+    set(hand, "arm-1"); set(collision, "quiet"); set(tool, "tool");
     this.painter.paint();
     this.showGhosts(this.ghostList);
     this.highlightLook.color.set(colour("highlight"));
@@ -275,6 +275,7 @@ export class Stage {
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
     this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke);
+    if (this.robot) this.robot.collisionShown = this.layers.collision;
     this.still!.fade(this.camera.lens.position);
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
@@ -372,7 +373,9 @@ export class Stage {
     Object.assign(sun.shadow.camera, {
       left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
     });
-    this.scene.add(this.grid, this.ground, sun, sun.target, new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT), new AmbientLight(0xffffff, AMBIENT_LIGHT));
+    const sky = new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT);
+    sky.position.set(0, 0, 1);
+    this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));
     for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
       const material = new LineMaterial({ linewidth: 2.5 });
       material.color.set(colour(name));

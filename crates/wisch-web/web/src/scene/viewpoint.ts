@@ -3,7 +3,7 @@ import { Box3, Matrix4, Mesh, Ray, Vector3 } from "three";
 import type { BufferGeometry, Object3D } from "three";
 
 /** Ratio of the visible extent to that of the shown points [1]. */
-const MARGIN = 1.08;
+const MARGIN = 1.12;
 /** Length of the lines of sight that are tested [m]. */
 const SIGHT_M = 1.8;
 /** Candidates: number of azimuths, and angles over the horizon [rad]. */
