@@ -20,7 +20,6 @@ export class Painter {
   private width = 0;
   private height = 0;
   private ratio = 0;
-  private rested = false;
   private coarse = 0;
   /** Time of the last frame in motion [ms]; total frame time [ms] and number of frames since the last decision. */
   private moved = { last: 0, took: 0, frames: 0 };
@@ -35,9 +34,9 @@ export class Painter {
     this.renderer.shadowMap.autoUpdate = !this.software;
   }
 
-  /** Whether shadows are drawn. In software the first frame has none, because their setup takes as long as the frame. */
-  get shadows(): boolean {
-    return !this.software || this.rested;
+  /** Whether a frame has shadows. In software only frames at rest have them, because they take as long as all else. */
+  hasShadows(resting: boolean): boolean {
+    return !this.software || resting;
   }
 
   get shadowSize(): number {
@@ -58,12 +57,9 @@ export class Painter {
     clearTimeout(this.rest);
     if (this.software && !resting) this.keepUp(performance.now());
     this.sharpen(resting);
-    this.renderer.shadowMap.needsUpdate = resting || this.renderer.info.render.frame % 3 === 0;
+    this.renderer.shadowMap.needsUpdate = resting;
     this.renderer.render(scene, camera);
-    if (!resting) this.rest = setTimeout(() => {
-      this.rested = true;
-      again();
-    }, REST_MS);
+    if (!resting) this.rest = setTimeout(again, REST_MS);
   }
 
   destroy(): void {

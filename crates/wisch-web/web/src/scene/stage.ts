@@ -257,7 +257,7 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows;
+    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
   }
