@@ -22,7 +22,7 @@ const angles = { high, wide: high * ASPECT };
 function open(pieces) {
   const recording = Recording.parse(lines(pieces));
   const look = new MeshBasicMaterial();
-  const robot = new Robot(recording.head, recording.meshes, { body: [look, look], arm: [look, look], hand: look, collision: look, tool: look, coloured: () => look });
+  const robot = new Robot(recording.head, recording.meshes, { body: [look, look], arm: [look, look], hand: look, ring: look, collision: look, tool: look, coloured: () => look });
   const [round] = recording.rounds;
   const still = new Still(round, recording);
   const shots = new Shots(recording, robot, still);

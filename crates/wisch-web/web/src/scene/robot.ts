@@ -1,5 +1,5 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { Group, Matrix4, Mesh, MeshLambertMaterial, TorusGeometry, Vector3 } from "three";
 import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
 import type { Head, JointRecord, MeshRecord, Pose, Rgba, Solid } from "../recording.ts";
@@ -33,6 +33,8 @@ export interface RobotMaterials {
   body: [Material, Material];
   arm: [Material, Material];
   hand: Material;
+  /** Of the rings where capsules begin to be round. */
+  ring: Material;
   /** Of collision shapes beside visual ones. */
   collision: Material;
   tool: Material;
@@ -43,6 +45,21 @@ export interface RobotMaterials {
 export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
 
 interface Part { geometry: BufferGeometry; pose: Pose; color: Rgba | undefined }
+
+/** Share of a capsule's radius that is the thickness of its rings [1]. */
+const RING_SHARE = 0.05;
+
+/** Adds rings to a capsule, which make bare collision shapes look like the parts of an arm. */
+function addRings(link: Group, shape: Solid, material: Material): void {
+  if (shape.kind !== "capsule" || shape.length < shape.radius) return;
+  for (const end of [-1, 1]) {
+    const geometry = new TorusGeometry(shape.radius, RING_SHARE * shape.radius, 8, 40).translate(0, 0, (end * shape.length) / 2);
+    const ring = new Mesh(geometry, material);
+    ring.matrixAutoUpdate = false;
+    matrix(shape.pose, ring.matrix);
+    link.add(ring);
+  }
+}
 
 export class Robot {
   readonly group = new Group();
@@ -73,6 +90,7 @@ export class Robot {
         mesh.castShadow = mesh.receiveShadow = !shared;
         link.add(mesh);
       }
+      if (!visual && material !== materials.hand) for (const shape of robot!.links[i]!.shapes) addRings(link, shape, materials.ring);
       if (!shared) this.addCollision(link, robot!.links[i]!.collision ?? [], meshes, materials.collision);
       this.links.push(link);
       this.group.add(link);

@@ -110,7 +110,7 @@ export class Stage {
       own.set(rgba.join(), material);
       return material;
     };
-    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
+    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
     this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
@@ -172,8 +172,8 @@ export class Stage {
   /** Sets the share of light that passes through the robot, in [0, 1]. */
   set xray(share: number) {
     this.seeThrough = share;
-    const { body, arm, hand, own } = this.materials;
-    for (const material of [...body, ...arm, ...own.values()]) this.clear(material);
+    const { body, arm, hand, ring, own } = this.materials;
+    for (const material of [...body, ...arm, ring, ...own.values()]) this.clear(material);
     hand.opacity = HAND_OPACITY * (1 - share);
     if (this.robot) this.robot.last = share > 0;
     this.ask();
@@ -210,7 +210,7 @@ export class Stage {
         if (!instant) continue;
         const look = ghostMaterial();
         look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, collision: look, tool: look, coloured: () => look }, this.robot);
+        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, ring: look, collision: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
       }
@@ -220,9 +220,9 @@ export class Stage {
 
   paint(): void {
     const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, hand, collision, tool } = this.materials;
+    const { body, arm, hand, ring, collision, tool } = this.materials;
     set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
-    set(hand, "arm-1"); set(collision, "quiet"); set(tool, "tool");
+    set(hand, "arm-1"); set(ring, "ring"); set(collision, "quiet"); set(tool, "tool");
     this.painter.paint();
     this.showGhosts(this.ghostList);
     this.highlightLook.color.set(colour("highlight"));
