@@ -21,11 +21,11 @@ from itertools import pairwise
 LOOP_S, RUN, ESTIMATED, TRUE, END = 12, 12, 76, 88, 100  # length of the loop [s], and when its parts begin [%]
 CONTACT_SHARE = 0.7  # how much of the run's part is wiping; free motion has the rest
 TOP, WIDTH, HEIGHT, RIGHT, SIDE, STRIP, MARGIN_MM = 60, 520, 394, 568, 288, 92, 45
-DIRTY, CLEAN = "#0072b2", "#009e73"
-TOOL = 'fill="#56b4e9" stroke="#0b5c8c" stroke-width="3" stroke-linejoin="round" paint-order="stroke"'
-GOAL = 'fill="#f5d90a" fill-opacity=".15" stroke="#7a6a00" stroke-width="1.5" stroke-dasharray="4 3"'
-STYLE = f"""text{{font:14px Inter,system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1d242c}}.end{{text-anchor:end}}
-.quiet{{font-size:13px;fill:#5b6672}}.name{{font-size:16px}}.value{{font-size:22px}}.name,.value{{font-weight:600}}
+DIRTY, CLEAN = "#0d55a5", "#00694d"
+TOOL = 'fill="#14829e" stroke="#0b5c8c" stroke-width="3" stroke-linejoin="round" paint-order="stroke"'
+GOAL = 'fill="#f0c800" fill-opacity=".15" stroke="#6a4000" stroke-width="1.5" stroke-dasharray="4 3"'
+STYLE = f"""text{{font:14px Inter,system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1b222a}}.end{{text-anchor:end}}
+.quiet{{font-size:13px;fill:#56616d}}.name{{font-size:16px}}.value{{font-size:22px}}.name,.value{{font-weight:600}}
 circle{{stroke:#fff;stroke-width:.6}}.jump{{animation:{LOOP_S}s step-end infinite}}
 .glide{{animation:{LOOP_S}s linear infinite}}@media (prefers-reduced-motion:reduce){{*{{animation:none!important}}}}"""
 keyframes = {}
@@ -181,10 +181,10 @@ class="value end">{value}</text><text y="{y + 45}" class="quiet">{detail}</text>
     title, rules = escape(head["title"].replace("_", " ")), [f"@keyframes {n}{{{k}}}" for k, n in keyframes.items()]
     return f"""<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 880 508" width="880" height="508" role="img">
 <title>{title}</title><style>{STYLE}{"".join(rules)}</style><rect x=".5" y=".5" width="879" height="507" rx="8"
-fill="#fff" stroke="#d5dbe1"/><text x="24" y="38" class="name">{title}</text>{drawn}<g transform="translate({RIGHT})">
+fill="#fff" stroke="#cfd6dd"/><text x="24" y="38" class="name">{title}</text>{drawn}<g transform="translate({RIGHT})">
 {words}<text y="344" class="quiet">Measured force</text><text x="{SIDE}" y="344" class="quiet end">line: 10 N</text>
-<svg y="352" width="{SIDE}" height="{STRIP}"><path d="M0 {STRIP - .5}h{SIDE}m0 -60h-{SIDE}" stroke="#d5dbe1"/>
-<path d="{curve}" fill="none" stroke="#d55e00" stroke-width="1.5"/><g transform="translate({SIDE})" {cover}>
+<svg y="352" width="{SIDE}" height="{STRIP}"><path d="M0 {STRIP - .5}h{SIDE}m0 -60h-{SIDE}" stroke="#cfd6dd"/>
+<path d="{curve}" fill="none" stroke="#db3900" stroke-width="1.5"/><g transform="translate({SIDE})" {cover}>
 <rect width="{SIDE}" height="{STRIP}" fill="#fff" opacity=".9"/></g></svg></g><g transform="translate(24 484)">
 <circle cx="6" cy="-5" r="4" fill="{DIRTY}"/><text x="18">dirt</text><circle cx="66" cy="-5" r="4" fill="{CLEAN}"/>
 <text x="78">dirt at the goal</text><ellipse cx="206" cy="-5" rx="9" ry="9" {GOAL}/><text x="222">goal</text>

@@ -37,7 +37,7 @@ pub fn footprint_drawing(tool: &Tool) -> String {
 <title>Footprint of {name}</title>
 <rect x="{low:.3}" y="{low:.3}" width="{side:.3}" height="{side:.3}" fill="#ffffff"/>
 <circle r="{radius:.3}" fill="none" stroke="#888888" stroke-width="{line:.3}" stroke-dasharray="{dash:.3} {dash:.3}"/>
-<path fill="#2a78b8" fill-opacity="0.55" stroke="#12466f" stroke-width="{line:.3}" fill-rule="evenodd" d="{outline}"/>
+<path fill="#14829e" fill-opacity="0.55" stroke="#0b5c8c" stroke-width="{line:.3}" fill-rule="evenodd" d="{outline}"/>
 <path fill="none" stroke="#b3261e" stroke-width="{line:.3}" d="M{0:.3} 0H{tip:.3}M0 {0:.3}V{cross:.3}M{barb:.3} {0:.3}L{tip:.3} 0L{barb:.3} {cross:.3}"/>
 <path stroke="#222222" stroke-width="{bold:.3}" d="M{left:.3} {bottom:.3}h{bar:.3}"/>
 <text x="{left:.3}" y="{above_bar:.3}" fill="#222222">{bar} mm</text>

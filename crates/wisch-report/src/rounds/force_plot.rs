@@ -179,7 +179,7 @@ fn draw_commanded_force(plot: &Plot, press: f64) -> Markup {
     let [weak, full] = CONFIDENT.map(|share| plot.down(-share * press));
     html! {
         rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
-        path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
+        path class="target" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
         text class="text small quiet end halo" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
             "f_min = " (metres(-press, decimals(press))) " N"
         }
@@ -237,10 +237,10 @@ fn draw_curves(
 /// Returns the CSS class of a line of a contact class.
 const fn class(touch: Touch) -> &'static str {
     match touch {
-        Touch::Free => "felt-free",
-        Touch::Weak => "felt-weak",
-        Touch::Confident => "felt-confident",
-        Touch::FalsePositive => "felt-false",
+        Touch::Free => "touch-free",
+        Touch::Weak => "touch-weak",
+        Touch::Confident => "touch-confident",
+        Touch::FalsePositive => "touch-false",
     }
 }
 
@@ -276,7 +276,8 @@ const fn event_class(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "event-contact",
         EventKind::ContactLoss => "event-loss",
-        EventKind::Push | EventKind::HandGuiding => "event-collision",
+        EventKind::Push => "event-collision",
+        EventKind::HandGuiding => "event-guided",
         EventKind::Landing | EventKind::Overload | EventKind::Vibration => "event-loss",
         EventKind::StickSlip => "event-stick",
         EventKind::Approach | EventKind::Stroke | EventKind::Lift | EventKind::Retreat => "",
@@ -321,7 +322,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
             label: "false positive: force away from the plane".to_owned(),
             sample: html! {
                 rect class="collision" x="3" y="-7" width="18" height="14" {}
-                path class="felt-false" d="M3 0h18" {}
+                path class="touch-false" d="M3 0h18" {}
             },
         });
     }

@@ -71,7 +71,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
             text class="text small quiet middle" x=(px(middle(i))) y=(px(BOTTOM + 18.0)) { (round.number) }
         }
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(RIGHT))) {}
-        path class="limit" d=(format!("M{} {}H{}", px(LEFT), px(target), px(RIGHT))) {}
+        path class="target" d=(format!("M{} {}H{}", px(LEFT), px(target), px(RIGHT))) {}
         @if numbered {
             @for (bar, left) in &placed { (draw_number(bar, left + 0.5 * width)) }
         }
@@ -127,6 +127,6 @@ fn entries(input: &RoundsInput) -> Vec<Entry> {
     if input.rounds.iter().any(|round| round.truth.is_some()) {
         entries.push(legend::area("bar-true", "true"));
     }
-    entries.push(legend::line("limit", "target"));
+    entries.push(legend::line("target", "target"));
     entries
 }

@@ -28,7 +28,7 @@ const LEAST_HALF: f64 = 0.5e-3;
 /// Half thickness of the box in RMS distances of the inliers; nearly all inliers are within.
 const HALF_IN_RMS: f64 = 3.0;
 /// Classes of contact by f', from weak to full.
-const LEVELS: [&str; 5] = ["felt-1", "felt-2", "felt-3", "felt-4", "felt-5"];
+const LEVELS: [&str; 5] = ["touch-1", "touch-2", "touch-3", "touch-4", "touch-5"];
 
 /// A parallel projection of points in the frame of the believed surface [m].
 struct Projection {
@@ -237,7 +237,7 @@ fn draw_path(projection: &Projection, start: Option<Point3>, stretches: &[Stretc
         same.map(|(_, places)| projection.line(places)).collect()
     };
     html! {
-        @for class in ["felt-free"].into_iter().chain(LEVELS).chain(["felt-false"]) {
+        @for class in ["touch-free"].into_iter().chain(LEVELS).chain(["touch-false"]) {
             @let line = of(class);
             @if !line.is_empty() { path class=(class) d=(line) {} }
         }
@@ -246,8 +246,8 @@ fn draw_path(projection: &Projection, start: Option<Point3>, stretches: &[Stretc
 
 fn class(stretch: &Stretch) -> &'static str {
     match stretch.touch {
-        Touch::Free => "felt-free",
-        Touch::FalsePositive => "felt-false",
+        Touch::Free => "touch-free",
+        Touch::FalsePositive => "touch-false",
         Touch::Weak | Touch::Confident => LEVELS[level(stretch.normalized_force)],
     }
 }
@@ -300,12 +300,12 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
         );
         entries.push(legend::line(level, label));
     }
-    if has("felt-free") {
-        entries.push(legend::line("felt-free", "no contact"));
+    if has("touch-free") {
+        entries.push(legend::line("touch-free", "no contact"));
     }
-    if has("felt-false") {
+    if has("touch-false") {
         entries.push(legend::line(
-            "felt-false",
+            "touch-false",
             "false positive: force away from the plane",
         ));
     }

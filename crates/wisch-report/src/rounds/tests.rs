@@ -332,7 +332,7 @@ fn logs_that_the_library_interpreted_are_shown() {
     let demo = three_rounds().interpret_logs();
     let (_, pictures) = draw("interpreted", &demo, |_, _| ());
     let path = |stem: &str| pictures.iter().find(|(name, _)| name == stem);
-    let pushed = path("round-1-path").map(|(_, svg)| svg.contains("class=\"felt-false\" d="));
+    let pushed = path("round-1-path").map(|(_, svg)| svg.contains("class=\"touch-false\" d="));
     assert_eq!(pushed, Some(true));
 }
 

@@ -22,6 +22,7 @@ const MARKS: Record<string, () => SVGElement> = {
   events: () => svg("circle", { cx: 8, cy: 8, r: 4.5, fill: "var(--collision)", stroke: "var(--ink)", "stroke-width": 1.2 }),
   found: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "var(--found)", "fill-opacity": 0.3, stroke: "var(--found)", "stroke-width": 2 }),
   actualSurface: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "none", stroke: "var(--actual)", "stroke-width": 1.6, "stroke-dasharray": "3 2" }),
+  collision: () => svg("path", { d: "M5 2h6l3 6-3 6H5L2 8zM5 2l6 12M11 2L5 14", fill: "none", stroke: "var(--quiet)", "stroke-width": 1 }),
   "by-touch": () => svg("path", { d: "M8 1v14M5 1h6M5 15h6", fill: "none", stroke: "var(--by-touch)", "stroke-width": 1.6 }),
   interval: () => svg("path", { d: "M8 1v14M4 1h8M4 15h8", fill: "none", stroke: "var(--estimated)", "stroke-width": 2.2 }),
   target: () => svg("path", { d: "M0 8h16", fill: "none", stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),

@@ -15,7 +15,7 @@ export const KEYS: [string, string][] = [
   ["+ \u2212", "faster, slower"],
   ["L", "follow a live run"],
   ["F", "fit view"],
-  ["T", "follow the tool"],
+  ["T", "follow the work: wide in free motion, close at strokes"],
   ["V", "view from above"],
   ["W A S D", "turn the scene (while it has the focus)"],
   ["Z X", "zoom in, out (while the scene has the focus)"],

@@ -44,8 +44,9 @@ export interface RobotRecord {
   /** Names of the variables. */
   variables: string[];
   joints: JointRecord[];
-  /** Where `visual` is true, the shapes are what the link looks like, else what collisions are checked with. */
-  links: { name: string; arm: boolean; visual?: boolean; shapes: Solid[] }[];
+  /** Where `visual` is true, the shapes are what the link looks like, and `collision`, if given, has what collisions are checked
+   * with. Else the shapes are what collisions are checked with. */
+  links: { name: string; arm: boolean; visual?: boolean; shapes: Solid[]; collision?: Solid[] }[];
 }
 
 /** The first piece. */

@@ -45,7 +45,7 @@ const event = has({ kind: text, start: finite, end: finite, words: text });
 const head = has({
   task: maybe(has({ target: finite })), tool: has({ solid }), meshes: list(mesh),
   robot: maybe(has({
-    variables: list(text), links: list(has({ shapes: list(solid) })),
+    variables: list(text), links: list(has({ shapes: list(solid), collision: maybe(list(solid)) })),
     joints: list(has({ parent: finite, pose, axis: exactly(3), offset: finite, terms: list(interval) })),
   })),
 });

@@ -46,6 +46,8 @@ export interface View {
   clearShown(): void;
   /** Number of drawn frames of the scene. */
   readonly frames: number;
+  /** Position of the camera [m]; null without 3-D graphics. */
+  readonly eye: [number, number, number] | null;
   destroy(): void;
 }
 
@@ -133,6 +135,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       highlight([]);
     },
     get frames() { return panel.stage?.drawn ?? 0; },
+    get eye() { return panel.stage?.camera.lens.position.toArray() ?? null; },
     destroy: () => {
       frames.drop(show);
       texts.stop();

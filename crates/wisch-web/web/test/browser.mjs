@@ -347,6 +347,55 @@ const cases = {
     await page.close();
   },
 
+  async "the camera follows the work until a user moves it"() {
+    for (const reducedMotion of ["no-preference", "reduce"]) {
+      const { page, complaints, picture } = await show(`camera-${reducedMotion}`, whole, { reducedMotion });
+      await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+      await page.waitForFunction(() => window.firstFrame);
+      const eye = () => page.evaluate(() => wisch.view.eye);
+      /** Waits until the camera rests; returns how far it is from the middle of the surface, and the number of its places on the way. */
+      const rest = async () => {
+        const places = [await eye()];
+        for (let same = 0; same < 4;) {
+          await drawn(page);
+          places.push(await eye());
+          same = String(places.at(-1)) === String(places.at(-2)) ? same + 1 : 0;
+        }
+        const middle = await page.evaluate(() => wisch.recording.rounds[0].plan.surface.pose.slice(0, 3));
+        return { far: Math.hypot(...places.at(-1).map((v, k) => v - middle[k])), stops: new Set(places.map(String)).size };
+      };
+      const follow = page.getByRole("button", { name: "Follow" });
+      const first = await rest();
+      assert.ok(first.far < 1.2, `the first view is ${first.far} m away`);
+      await follow.click();
+      const free = await rest();
+      assert.ok(free.far > 1.5 * first.far, "free motion is not seen from afar");
+      await page.evaluate(() => wisch.view.seek(2.4));
+      const stroke = await rest();
+      assert.ok(stroke.far < 0.7 * free.far, "a stroke is not seen from near");
+      if (reducedMotion === "reduce") assert.ok(stroke.stops <= 2, `${stroke.stops} places`);
+      else assert.ok(stroke.stops > 2, "the camera jumps");
+      assert.equal(await follow.getAttribute("aria-pressed"), "true");
+      const box = await page.locator(".w-canvas").boundingBox();
+      await page.mouse.move(box.x + 500, box.y + 300);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 560, box.y + 320, { steps: 4 });
+      await page.mouse.up();
+      assert.equal(await follow.getAttribute("aria-pressed"), "false");
+      const own = await rest();
+      await page.evaluate(() => wisch.view.seek(0));
+      near((await rest()).far, own.far, 1e-6);
+      await page.getByRole("button", { name: "Surface", exact: true }).click();
+      near((await rest()).far, first.far, 1e-6);
+      await page.getByLabel("Transparency of the robot").fill("0.8");
+      await page.evaluate(() => wisch.view.seek(2.4));
+      await page.waitForTimeout(1000);
+      await picture(`x-ray-${reducedMotion}`);
+      assert.deepEqual(complaints, []);
+      await page.close();
+    }
+  },
+
   async "queried data is drawn, listed and removed"() {
     const { page, complaints, picture } = await show("asked", whole, { hash: "#t=9.5" });
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());

@@ -1,31 +1,100 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { BLINDNESS, blend, contrast, difference, differenceOfLab, lit, seenWith } from "./colours.mjs";
 
 const css = readFileSync("src/style/page.css", "utf8");
 const blocks = [...css.matchAll(/\{([^{}]*--paper:[^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value])))
   // System colours have no values.
   .filter(({ paper }) => paper);
-
-const luminance = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
-  .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
-const contrast = (a, b) => {
-  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
-  return (high + 0.05) / (low + 0.05);
-};
+const THEMES = [["light", blocks[0]], ["dark", blocks[1]]];
 
 /** WCAG 2.2: contrast of 4.5 for text, and of 3 for marks with a meaning. */
-const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"]];
-const MARKS = ["believed", "estimated", "actual", "seen", "by-touch", "contact", "force", "height", "cursor", "collision", "hand", "event", "pushed", "found"];
+const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"], ["target", "card"]];
+const MARK_CONTRAST = 3;
+/** Least differences (CIEDE2000) of marks: for all eyes, and for those of the three common colour blindnesses. */
+const APART = 20;
+const APART_BLIND = 10;
+
+/** Opacity of the goal area in the scene and in pictures, and light on the board in a shadow. */
+const GOAL_IN_SCENE = 0.22;
+const GOAL_IN_PICTURE = 0.25;
+const SHADOW = 0.82;
+
+/** What marks lie on: the board in the scene, also in the goal and in a shadow; the rest of the scene; pictures of the board; lanes. */
+const grounds = (c) => ({
+  board: [c["surface-3d"], c["sheet-3d"]].flatMap((board) => [board, blend(c.goal, board, GOAL_IN_SCENE), lit(board, SHADOW)]),
+  scene: [c.scene, c["scene-low"], c.carrier, c.obstacle],
+  picture: [c.paper, c.card, c.ground, blend(c.goal, c.ground, GOAL_IN_PICTURE)],
+  lanes: [c.paper, c.lane, c.card],
+});
+const LIES_ON = {
+  believed: ["board", "picture", "lanes"], estimated: ["board", "picture", "lanes"], actual: ["board", "picture", "lanes"], seen: ["board", "picture"],
+  found: ["board", "scene"], contact: ["board", "scene", "lanes"], pushed: ["board", "scene", "lanes"], lifted: ["board", "scene"], force: ["board", "scene", "lanes"],
+  collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
+  tool: ["board", "scene"], stroke: ["board"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
+  "too-little": ["board", "picture"], "in-band": ["board", "picture"], "too-much": ["board", "picture"],
+};
+
+/** Marks of different meaning that appear in the same place. */
+const PLACES = {
+  "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line"],
+  "outlines of the board": ["found", "actual", "goal-line"],
+  "map of passes": ["too-little", "in-band", "too-much", "tool", "contact", "lifted", "ink"],
+  "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
+  "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],
+  "lane of contact": ["contact", "pushed", "cursor"],
+  "lane of force": ["force", "collision", "pushed", "target", "cursor"],
+};
+
+/** Names that mean the same, and so have one colour. */
+const SAME = [["hand", "pushed"], ["found", "estimated"], ["stroke", "believed"], ["goal-line", "target"]];
+
+test("the difference of colours is that of the published pairs", () => {
+  // Sharma, Wu and Dalal (2005), table 1, pairs 1, 7, 17, 25 and 34.
+  const pairs = [
+    [[50, 2.6772, -79.7751], [50, 0, -82.7485], 2.0425], [[50, 0, 0], [50, -1, 2], 2.3669], [[50, 2.5, 0], [73, 25, -18], 27.1492],
+    [[60.2574, -34.0099, 36.2677], [60.4626, -34.1751, 39.4387], 1.2644], [[2.0776, 0.0795, -1.135], [0.9033, -0.0636, -0.5514], 0.9082],
+  ];
+  for (const [a, b, expected] of pairs) assert.ok(Math.abs(differenceOfLab(a, b) - expected) < 1e-4, `${a} and ${b}: ${differenceOfLab(a, b)}`);
+});
 
 test("each colour has one light and one dark value", () => {
   assert.equal(blocks.length, 2);
   assert.deepEqual(Object.keys(blocks[0]).sort(), Object.keys(blocks[1]).sort());
 });
 
-for (const [name, block] of [["light", blocks[0]], ["dark", blocks[1]]]) {
-  test(`${name}: text and marks stand out`, () => {
-    for (const [front, ground] of TEXT) assert.ok(contrast(block[front], block[ground]) >= 4.5, `${front} on ${ground}: ${contrast(block[front], block[ground]).toFixed(2)}`);
-    for (const mark of MARKS) assert.ok(contrast(block[mark], block.paper) >= 3, `${mark}: ${contrast(block[mark], block.paper).toFixed(2)}`);
+for (const [theme, colours] of THEMES) {
+  test(`${theme}: text and marks stand out from all that they lie on`, () => {
+    for (const [front, ground] of TEXT) assert.ok(contrast(colours[front], colours[ground]) >= 4.5, `${front} on ${ground}: ${contrast(colours[front], colours[ground]).toFixed(2)}`);
+    const faint = Object.entries(LIES_ON).flatMap(([mark, places]) => places.flatMap((place) => grounds(colours)[place].map((ground) => [mark, place, ground, contrast(colours[mark], ground)])));
+    assert.deepEqual(faint.filter(([, , , least]) => !(least >= MARK_CONTRAST)), []);
+  });
+
+  test(`${theme}: marks of different meaning differ, also for colour-blind eyes`, () => {
+    const alike = [];
+    for (const [place, marks] of Object.entries(PLACES)) marks.forEach((a, i) => marks.slice(i + 1).forEach((b) => {
+      const all = difference(colours[a], colours[b]);
+      if (!(all >= APART)) alike.push([place, a, b, all]);
+      for (const blindness of BLINDNESS) {
+        const less = difference(seenWith(blindness, colours[a]), seenWith(blindness, colours[b]));
+        if (!(less >= APART_BLIND)) alike.push([place, a, b, blindness, less]);
+      }
+    }));
+    assert.deepEqual(alike, []);
+    for (const [a, b] of SAME) assert.equal(colours[a], colours[b], `${a} means what ${b} means`);
   });
 }
+
+test("figures and page have the same colours by the same names", () => {
+  const rust = readFileSync("../../wisch-report/src/draw/palette.rs", "utf8");
+  const figures = [...rust.matchAll(/\("([\w-]+)", "(#[0-9a-f]{6})", "(#[0-9a-f]{6})"\)/g)];
+  const [common, other] = [[], []];
+  for (const [, name, light, dark] of figures) {
+    if (!blocks[0][name]) continue;
+    common.push(name);
+    if (light !== blocks[0][name] || dark !== blocks[1][name]) other.push([name, light, blocks[0][name], dark, blocks[1][name]]);
+  }
+  assert.deepEqual(other, []);
+  for (const name of ["paper", "ink", "believed", "estimated", "actual", "contact", "pushed", "collision", "goal", "target", "tool", "surface-3d"]) assert.ok(common.includes(name), `the figures have no ${name}`);
+});

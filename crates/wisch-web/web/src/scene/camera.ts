@@ -1,29 +1,39 @@
-// The camera: orbit by mouse, touch and keys, fitted views, and following the tool.
+// The camera: orbit by mouse, touch and keys, fitted views, and smooth ways between them.
 import { PerspectiveCamera, Vector3 } from "three";
 import type { Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Angles, View } from "./viewpoint.ts";
 
 export type Look = "all" | "surface" | "above";
 const TURN = Math.PI / 24;
-/** Ratio of the visible extent to that of the shown points [1]. */
-const MARGIN = 1.16;
+/** Time in which a smooth way gets by a factor of e nearer to its end [ms]. */
+const GLIDE_MS = 380;
 
 export class Camera {
   readonly lens = new PerspectiveCamera(36, 1, 0.02, 200);
   readonly controls: OrbitControls;
-  following = false;
   /** Share of the width that no panel covers [1]. */
   private open = 1;
-  private followed: Vector3 | null = null;
+  /** End of the current smooth way, and the time of its last step [ms]. */
+  private goal: View | null = null;
+  private stepped = 0;
+  /** Whether a user's hand is on the controls. */
+  private held = false;
 
-  constructor(canvas: HTMLCanvasElement, changed: () => void) {
+  /** `changed` is called when the view changes, `taken` when a user changes it. */
+  constructor(canvas: HTMLCanvasElement, changed: () => void, private readonly taken: () => void) {
     this.lens.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.lens, canvas);
     this.controls.maxPolarAngle = 0.62 * Math.PI;
     this.controls.minDistance = 0.1;
     this.controls.maxDistance = 40;
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", changed);
+    this.controls.addEventListener("start", () => { this.held = true; });
+    this.controls.addEventListener("end", () => { this.held = false; });
+    this.controls.addEventListener("change", () => {
+      if (this.held) this.take();
+      changed();
+    });
     // On a page that scrolls, the wheel scrolls it until a user clicks the scene.
     canvas.addEventListener("wheel", (event) => {
       const { scrollHeight, clientHeight } = document.documentElement;
@@ -46,39 +56,31 @@ export class Camera {
     });
   }
 
-  /** Views points from a direction, as near as all of them fit. */
-  look(places: Vector3[], from: Vector3): void {
-    if (!places.length) return;
-    const back = from.clone().normalize();
-    const right = new Vector3().crossVectors(this.lens.up, back).normalize();
-    const up = new Vector3().crossVectors(back, right);
-    const middle = (axis: Vector3) => {
-      const along = places.map((place) => place.dot(axis));
-      return (Math.min(...along) + Math.max(...along)) / 2;
-    };
-    const target = new Vector3().addScaledVector(right, middle(right)).addScaledVector(up, middle(up)).addScaledVector(back, middle(back));
+  get angles(): Angles {
     const high = Math.tan((this.lens.fov * Math.PI) / 360);
-    const wide = high * this.lens.aspect * this.open;
-    const distance = Math.max(0.1, ...places.map((place) => {
-      const away = place.clone().sub(target);
-      return away.dot(back) + MARGIN * Math.max(Math.abs(away.dot(right)) / wide, Math.abs(away.dot(up)) / high);
-    }));
-    this.controls.target.copy(target);
-    this.lens.position.copy(target).addScaledVector(back, distance);
-    this.controls.update();
+    return { high, wide: high * this.lens.aspect * this.open };
   }
 
-  follow(tool: Vector3 | null): void {
-    if (!this.following || !tool) {
-      this.followed = null;
-      return;
-    }
-    const by = tool.clone().sub(this.followed ?? this.controls.target);
-    this.followed = tool.clone();
-    if (by.lengthSq() < 1e-10) return;
-    this.controls.target.add(by);
-    this.lens.position.add(by);
-    this.controls.update();
+  /** Shows a view at once, or at the end of a smooth way; users who prefer reduced motion get it at once. */
+  look(view: View | null, smooth = false): void {
+    if (!view) return;
+    this.goal = smooth && !matchMedia("(prefers-reduced-motion: reduce)").matches ? view : null;
+    this.stepped = performance.now();
+    if (!this.goal) this.move(view);
+  }
+
+  /** Goes on along the smooth way; returns whether it continues. */
+  step(): boolean {
+    if (!this.goal) return false;
+    const now = performance.now();
+    const share = 1 - Math.exp((this.stepped - now) / GLIDE_MS);
+    this.stepped = now;
+    const { goal } = this;
+    const target = this.controls.target.clone().lerp(goal.target, share);
+    const eye = this.lens.position.clone().lerp(goal.eye, share);
+    if (eye.distanceTo(goal.eye) + target.distanceTo(goal.target) < 2e-3 * eye.distanceTo(target)) this.goal = null;
+    this.move(this.goal ? { target, eye } : goal);
+    return this.goal !== null;
   }
 
   /** Returns the size of a metre at the distance of an object [pixels]. */
@@ -94,7 +96,23 @@ export class Camera {
     this.lens.setViewOffset(width, height, -covered / 2, 0, width, height);
   }
 
+  private move({ target, eye }: View): void {
+    const { held } = this;
+    this.held = false;
+    this.controls.target.copy(target);
+    this.lens.position.copy(eye);
+    this.controls.update();
+    this.held = held;
+  }
+
+  /** Ends a smooth way, because a user moves the camera. */
+  private take(): void {
+    this.goal = null;
+    this.taken();
+  }
+
   private turn(around: number, up: number): void {
+    this.take();
     const away = this.lens.position.clone().sub(this.controls.target);
     away.applyAxisAngle(new Vector3(0, 0, 1), around);
     const side = new Vector3().crossVectors(this.lens.up, away).normalize();
@@ -106,6 +124,7 @@ export class Camera {
   }
 
   private zoom(by: number): void {
+    this.take();
     const away = this.lens.position.clone().sub(this.controls.target).multiplyScalar(by);
     this.lens.position.copy(this.controls.target).add(away);
     this.controls.update();

@@ -5,7 +5,7 @@ import { normalUnder } from "./bend.ts";
 import type { Instant } from "../store.ts";
 
 /** Length of the arrow for the largest force of a round [m]. */
-const LONGEST_M = 0.16;
+const LONGEST_M = 0.11;
 /** Thickness of an arrow as a share of its distance from the camera [1]. */
 const THICK = 0.0042;
 const LEAST_N = 0.5;

@@ -34,8 +34,8 @@ export class Painter {
     this.renderer.shadowMap.autoUpdate = !this.software;
   }
 
-  /** Whether the next frame has shadows. In software they take as long as the rest of a frame, so that only a scene at rest has them. */
-  shadows(resting: boolean): boolean {
+  /** Whether a frame has shadows. In software only frames at rest have them, because they take as long as all else. */
+  hasShadows(resting: boolean): boolean {
     return !this.software || resting;
   }
 

@@ -3,12 +3,12 @@ import { el, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { LAYERS, Stage } from "./stage.ts";
-import type { Layers } from "./stage.ts";
+import type { Layers, Look } from "./stage.ts";
 import type { Recording } from "../store.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface",
+  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
 };
 
 /** A legend entry of queried data: a line, or particles in a state. */
@@ -30,14 +30,16 @@ export class ScenePanel {
 
   constructor(private readonly recording: Recording, compact: boolean, seek: (time: number) => void) {
     const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the scene, Z and X zoom." });
-    this.stage = makeStage(canvas, recording);
+    this.stage = makeStage(canvas, recording, () => this.follow.setAttribute("aria-pressed", "false"));
     const button = (text: string, title: string, act: () => void) => el("button", { class: "w-button", type: "button", title, click: act }, text);
-    this.follow = button("Follow tool", "Keep the tool centred  T", () => this.toggleFollow());
+    this.follow = button("Follow", "Follow the work: wide in free motion, close at strokes  T", () => this.toggleFollow());
     this.follow.setAttribute("aria-pressed", "false");
+    const xray = el("input", { type: "range", min: 0, max: 0.95, step: 0.05, value: 0, "aria-label": "Transparency of the robot", input: () => { if (this.stage) this.stage.xray = Number(xray.value); } });
     const views = el("div", { class: "w-views", role: "group", "aria-label": "View" },
       button("Fit", "Show all of robot and surface  F", () => this.look("all")),
       button("Surface", "Close view of the surface", () => this.look("surface")),
-      button("Above", "View from above  V", () => this.look("above")), this.follow);
+      button("Above", "View from above  V", () => this.look("above")), this.follow,
+      el("label", { class: "w-button w-xray", title: "Look through the robot" }, "X-ray", xray));
     this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
       this.stage ? canvas : el("p", { class: "w-none" }, "This browser cannot draw 3-D graphics. The other panels still work."),
       this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
@@ -85,6 +87,7 @@ export class ScenePanel {
       force: rounds.some(({ count }) => count > 0),
       events: this.recording.happenings.length > 0,
       found: rounds.some(({ interpreted }) => interpreted?.found != null),
+      collision: this.recording.head?.robot?.links.some(({ collision }) => collision?.length) ?? false,
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
     for (const [name, box] of this.boxes) box.hidden = !has[name];
@@ -92,16 +95,15 @@ export class ScenePanel {
     if (layers) layers.hidden = !Object.values(has).some(Boolean);
   }
 
-  look(at: "all" | "surface" | "above"): void {
+  look(at: Look): void {
     this.follow.setAttribute("aria-pressed", "false");
     this.stage?.look(at);
   }
 
   toggleFollow(): void {
     if (!this.stage) return;
-    const wanted = !this.stage.camera.following;
-    this.stage.follow = wanted;
-    this.follow.setAttribute("aria-pressed", String(wanted));
+    this.stage.follow = !this.stage.follow;
+    this.follow.setAttribute("aria-pressed", String(this.stage.follow));
   }
 
   /** Lists queried data in the legend. */
@@ -135,9 +137,9 @@ export class ScenePanel {
   }
 }
 
-function makeStage(canvas: HTMLCanvasElement, recording: Recording): Stage | null {
+function makeStage(canvas: HTMLCanvasElement, recording: Recording, left: () => void): Stage | null {
   try {
-    return new Stage(canvas, recording);
+    return new Stage(canvas, recording, left);
   } catch {
     return null;
   }

@@ -1,9 +1,8 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { Group, Matrix4, Mesh, MeshLambertMaterial, TorusGeometry, Vector3 } from "three";
 import type { BufferGeometry, Material, Object3D } from "three";
 import { geometryOf, matrix } from "./solids.ts";
-import type { Head, JointRecord, Pose, Rgba } from "../recording.ts";
-import type { MeshRecord } from "../recording.ts";
+import type { Head, JointRecord, MeshRecord, Pose, Rgba, Solid } from "../recording.ts";
 
 /** Forward kinematics: world_from_link = world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
 export class Tree {
@@ -34,6 +33,10 @@ export interface RobotMaterials {
   body: [Material, Material];
   arm: [Material, Material];
   hand: Material;
+  /** Of the rings where capsules begin to be round. */
+  ring: Material;
+  /** Of collision shapes beside visual ones. */
+  collision: Material;
   tool: Material;
   /** Returns the material of a shape with its own colour. */
   coloured(color: Rgba): Material;
@@ -43,11 +46,27 @@ export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial(
 
 interface Part { geometry: BufferGeometry; pose: Pose; color: Rgba | undefined }
 
+/** Share of a capsule's radius that is the thickness of its rings [1]. */
+const RING_SHARE = 0.05;
+
+/** Adds rings to a capsule, which make bare collision shapes look like the parts of an arm. */
+function addRings(link: Group, shape: Solid, material: Material): void {
+  if (shape.kind !== "capsule" || shape.length < shape.radius) return;
+  for (const end of [-1, 1]) {
+    const geometry = new TorusGeometry(shape.radius, RING_SHARE * shape.radius, 8, 40).translate(0, 0, (end * shape.length) / 2);
+    const ring = new Mesh(geometry, material);
+    ring.matrixAutoUpdate = false;
+    matrix(shape.pose, ring.matrix);
+    link.add(ring);
+  }
+}
+
 export class Robot {
   readonly group = new Group();
   private readonly tree: Tree | null;
   private readonly links: Group[] = [];
-  private readonly tool: Mesh;
+  private readonly collision: Mesh[] = [];
+  readonly tool: Mesh;
   private readonly linkFromTool: Matrix4;
   private readonly parts: Part[][];
   private readonly toolGeometry: BufferGeometry;
@@ -71,6 +90,8 @@ export class Robot {
         mesh.castShadow = mesh.receiveShadow = !shared;
         link.add(mesh);
       }
+      if (!visual && material !== materials.hand) for (const shape of robot!.links[i]!.shapes) addRings(link, shape, materials.ring);
+      if (!shared) this.addCollision(link, robot!.links[i]!.collision ?? [], meshes, materials.collision);
       this.links.push(link);
       this.group.add(link);
     });
@@ -101,9 +122,29 @@ export class Robot {
     this.tool.matrixWorldNeedsUpdate = true;
   }
 
-  /** The links of the wiping arm, and the tool. */
-  get working(): Object3D[] {
-    return [...this.links.filter((_, i) => this.head.robot!.links[i]!.arm), this.tool];
+  /** Shows the shapes that collisions are checked with, where the recording has them beside visual ones. */
+  set collisionShown(shown: boolean) {
+    for (const mesh of this.collision) mesh.visible = shown;
+  }
+
+  private addCollision(link: Group, shapes: readonly Solid[], meshes: MeshRecord[], material: Material): void {
+    for (const shape of shapes) {
+      const mesh = new Mesh(geometryOf(shape, meshes), material);
+      mesh.matrixAutoUpdate = mesh.visible = false;
+      matrix(shape.pose, mesh.matrix);
+      this.collision.push(mesh);
+      link.add(mesh);
+    }
+  }
+
+  /** The links that can hide something: not the translucent shape round the tool. */
+  get limbs(): Object3D[] {
+    return this.links.filter((_, i) => i !== this.head.tool.link || this.head.robot!.links[i]!.visual);
+  }
+
+  /** Draws the robot over what lies behind it, as it must be while it is translucent. */
+  set last(last: boolean) {
+    for (const link of this.links) for (const mesh of link.children) mesh.renderOrder = last ? 9 : 0;
   }
 
   /** Position of the tool in the world [m]. */
@@ -111,8 +152,8 @@ export class Robot {
     return new Vector3().setFromMatrixPosition(this.tool.matrix);
   }
 
-  /** Returns the position of a link in the world [m]. */
-  linkPlace(index: number): Vector3 {
-    return new Vector3().setFromMatrixPosition(this.links[index]?.matrix ?? new Matrix4());
+  /** Position of the first link with a shape in the world [m]. */
+  get rootPlace(): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.links.find((link) => link.children.length)?.matrix ?? new Matrix4());
   }
 }

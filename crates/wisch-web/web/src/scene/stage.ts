@@ -1,6 +1,6 @@
 // The 3-D scene at the time of the clock, drawn only when something changes.
 import {
-  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshLambertMaterial,
+  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { frames } from "../frames.ts";
@@ -9,7 +9,6 @@ import type { BufferGeometry } from "three";
 import { Asked } from "./asked.ts";
 import type { ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
-import type { Look } from "./camera.ts";
 import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
@@ -20,14 +19,16 @@ import { Axes, Path, Trajectories, hexOr } from "./path.ts";
 import type { ShownFrame, Trajectory } from "./path.ts";
 import { Robot, ghostMaterial } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
+import { Shots } from "./shots.ts";
 import { Still } from "./surface.ts";
+import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
 import type { Instant, Recording } from "../store.ts";
 
-export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface", boolean>;
+export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
 export const LAYERS: Layers = {
-  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true,
+  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true, collision: false,
 };
 
 /** The robot at a time of the common clock [s], drawn translucent. */
@@ -36,20 +37,30 @@ export interface Ghost {
   color?: string;
 }
 
+export type Look = "all" | "surface" | "above";
+
 /** Maximum distance of a click from the path [pixels]. */
 const NEAR_PX = 9;
 /** Number of rounds whose geometry is cached. */
 const KEPT_ROUNDS = 6;
 
+/** Opacity of the collision shape round the tool [1]. */
+const HAND_OPACITY = 0.2;
+
 /** Direction to the light, in units of the scene's radius. */
 const SUN = new Vector3(0.9, 0.5, 1.9);
+/** Intensities. What lies flat gets just as much light (π) as makes its colour that of the style sheet. */
+const SUN_LIGHT = 1.7;
+const SKY_LIGHT = 1.4;
+const AMBIENT_LIGHT = Math.PI - SKY_LIGHT - (SUN_LIGHT * SUN.z) / SUN.length();
 
 export class Stage {
   readonly layers: Layers = { ...LAYERS };
   readonly camera: Camera;
   private readonly painter: Painter;
   private readonly scene = new Scene();
-  private readonly materials: RobotMaterials & Record<string, unknown>;
+  private readonly materials: RobotMaterials & { own: Map<string, Material> };
+  private seeThrough = 0;
   /** The floor, which receives shadows. */
   private readonly ground = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ opacity: 0.14 }));
   private sun: DirectionalLight | null = null;
@@ -59,7 +70,8 @@ export class Stage {
   private ghostList: Ghost[] = [];
   private still: Still | null = null;
   private path: Path | null = null;
-  private readonly entered = new Map<Round, { still: Still; path: Path }>();
+  private shots: Shots | null = null;
+  private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
   private highlighted: { from: number; to: number }[] = [];
   private readonly highlights = new Group();
   private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
@@ -69,7 +81,10 @@ export class Stage {
   private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
-  private home: { all: Vector3[]; surface: Vector3[]; from: Vector3 } | null = null;
+  /** Whether the first view is shown, and whether the user chose another; key of the followed shot, null while none is followed. */
+  private begun = false;
+  private chosen = false;
+  private shot: string | null = null;
   private sized = false;
   private apply = () => {};
   private first: number | null = null;
@@ -78,25 +93,28 @@ export class Stage {
   /** Number of drawn frames, for measurements. */
   drawn = 0;
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording) {
+  /** `left` is called when the camera stops following because a user moves it. */
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
     this.painter = new Painter(canvas);
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
     // The round ends of adjacent links coincide; a depth offset of one shade prevents flicker.
     const under = (roughness: number) => Object.assign(matte(roughness), { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
-    const hand = Object.assign(matte(0.5), { transparent: true, opacity: 0.45, depthWrite: false });
+    const hand = Object.assign(matte(0.5), { transparent: true, opacity: HAND_OPACITY, depthWrite: false });
     const own = new Map<string, Material>();
     const coloured = (rgba: Rgba): Material => {
       const [red, green, blue, opacity] = rgba;
       const known = own.get(rgba.join());
       if (known) return known;
-      const material = Object.assign(matte(0.5), opacity < 1 ? { transparent: true, opacity, depthWrite: false } : {});
+      const material = Object.assign(matte(0.5), opacity < 1 ? { depthWrite: false } : {});
+      material.userData.opacity = opacity;
       material.color.setRGB(red, green, blue, SRGBColorSpace);
+      this.clear(material);
       own.set(rgba.join(), material);
       return material;
     };
-    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial(), coloured };
+    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
     this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
-    this.camera = new Camera(canvas, () => this.ask());
+    this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
   }
@@ -123,17 +141,18 @@ export class Stage {
   private applySize(width: number, height: number, covered: number): void {
     this.painter.size(width, height);
     this.camera.shape(width, height, covered);
-    if (!this.sized) this.home = null;
+    if (!this.chosen) this.begun = false;
     this.sized = true;
     this.draw();
   }
 
   look(at: Look): void {
     const instant = this.recording.at(this.time);
-    if (!this.home || !instant) return;
-    this.camera.following = false;
-    if (at === "above") this.camera.look(this.home.surface, new Vector3(0, -1e-3, 1));
-    else this.camera.look(this.home[at], this.home.from);
+    if (!this.shots || !instant) return;
+    this.shot = null;
+    this.chosen = true;
+    const points = at === "all" ? this.shots.all(instant.time) : this.shots.surface();
+    this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : this.shots.from, this.camera.angles), true);
     this.ask();
   }
 
@@ -148,14 +167,24 @@ export class Stage {
     return time === null ? null : this.path.round.start + time;
   }
 
+  /** Whether the camera follows the work: wide in free motion, close at strokes. */
+  get follow(): boolean {
+    return this.shot !== null;
+  }
+
   set follow(wanted: boolean) {
-    this.camera.following = wanted;
-    if (wanted && this.home && this.robot) {
-      const away = this.camera.lens.position.clone().sub(this.camera.controls.target).setLength(0.7);
-      this.camera.controls.target.copy(this.robot.toolPlace);
-      this.camera.lens.position.copy(this.robot.toolPlace).add(away);
-      this.camera.controls.update();
-    }
+    this.shot = wanted ? "" : null;
+    this.chosen = true;
+    this.ask();
+  }
+
+  /** Sets the share of light that passes through the robot, in [0, 1]. */
+  set xray(share: number) {
+    this.seeThrough = share;
+    const { body, arm, hand, ring, own } = this.materials;
+    for (const material of [...body, ...arm, ring, ...own.values()]) this.clear(material);
+    hand.opacity = HAND_OPACITY * (1 - share);
+    if (this.robot) this.robot.last = share > 0;
     this.ask();
   }
 
@@ -190,7 +219,7 @@ export class Stage {
         if (!instant) continue;
         const look = ghostMaterial();
         look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, tool: look, coloured: () => look }, this.robot);
+        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, ring: look, collision: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
       }
@@ -200,9 +229,9 @@ export class Stage {
 
   paint(): void {
     const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, hand, tool } = this.materials;
+    const { body, arm, hand, ring, collision, tool } = this.materials;
     set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
-    set(hand, "arm-1"); set(tool, "tool");
+    set(hand, "arm-1"); set(ring, "ring"); set(collision, "quiet"); set(tool, "tool");
     this.painter.paint();
     this.showGhosts(this.ghostList);
     this.highlightLook.color.set(colour("highlight"));
@@ -237,7 +266,7 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.shadows(resting);
+    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
   }
@@ -251,11 +280,12 @@ export class Stage {
       this.showGhosts(this.ghostList);
     }
     if (this.still?.round !== round) this.enter(instant);
+    this.aim(time);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
-    if (!this.home) this.initView(instant);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
     this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time));
-    this.camera.follow(this.robot?.toolPlace ?? null);
+    if (this.robot) this.robot.collisionShown = this.layers.collision;
+    this.still!.fade(this.camera.lens.position);
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.dirt.show(this.recording, this.time, instant, this.layers);
@@ -266,7 +296,7 @@ export class Stage {
   /** Switches to another round; the geometry of recent rounds stays cached. */
   private enter({ round }: Instant): void {
     for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
-    const kept = this.entered.get(round) ?? { still: new Still(round, this.recording.meshes), path: new Path(round) };
+    const kept = this.entered.get(round) ?? this.make(round);
     this.entered.delete(round);
     this.entered.set(round, kept);
     for (const [oldest, { still, path }] of this.entered) {
@@ -277,8 +307,46 @@ export class Stage {
     }
     this.still = kept.still;
     this.path = kept.path;
+    this.shots = kept.shots;
     this.scene.add(this.still.group, this.path.object);
     this.drawHighlights();
+  }
+
+  private make(round: Round): { still: Still; path: Path; shots: Shots } {
+    const still = new Still(round, this.recording);
+    return { still, path: new Path(round), shots: new Shots(this.recording, this.robot, still) };
+  }
+
+  /** Chooses the first view; while the camera follows, the view of a time of the round. */
+  private aim(time: number): void {
+    const { shots } = this;
+    if (!shots) return;
+    if (!this.begun) {
+      this.begun = true;
+      this.camera.look(fit(shots.surface(), shots.from, this.camera.angles));
+      if (!this.grid) this.build(new Box3().setFromPoints(shots.all(time)).getBoundingSphere(new Sphere()));
+    }
+    if (this.shot !== null) {
+      const { key, points } = shots.at(time);
+      if (key !== this.shot) this.camera.look(fit(points, shots.from, this.camera.angles), true);
+      this.shot = key;
+    }
+    if (this.camera.step()) this.ask();
+  }
+
+  /** Keeps the view that a user chose by moving the camera; following ends. */
+  private leave(): void {
+    this.chosen = true;
+    if (this.shot === null) return;
+    this.shot = null;
+    this.left();
+  }
+
+  /** Sets how much a material of the robot hides. */
+  private clear(material: Material): void {
+    const opacity = ((material.userData.opacity as number | undefined) ?? 1) * (1 - this.seeThrough);
+    material.opacity = opacity;
+    material.transparent = opacity < 1;
   }
 
   private drawHighlights(): void {
@@ -292,58 +360,6 @@ export class Stage {
     if (ends.length) this.highlights.add(segments(ends, this.highlightLook));
   }
 
-  /** Chooses the first view, and builds floor and lights around the scene. */
-  private initView({ round }: Instant): void {
-    const contact = round.plan.phases.find((phase) => phase.contact);
-    const then = this.recording.at(round.start + (contact?.start ?? 0));
-    if (then && this.robot) this.robot.show(round.plan.root, then.q, then.tool);
-    const shown = [this.robot?.group, this.still?.surface].filter((object): object is Group | Mesh => Boolean(object));
-    const near = [this.still?.surface].filter((object): object is Mesh => Boolean(object));
-    const all = this.cornersOf(shown);
-    const work = this.cornersOf([...(this.robot?.working ?? []), ...near]);
-    const surface = this.cornersOf(near.length ? near : shown);
-    this.home = { all, surface, from: this.frontOf(round.plan.root ? then : null) };
-    if (!this.grid) this.build(new Box3().setFromPoints(all).getBoundingSphere(new Sphere()));
-    if (this.robot) {
-      const now = this.recording.at(this.time);
-      if (now) this.robot.show(round.plan.root, now.q, now.tool);
-    }
-    this.camera.look(work, this.home.from);
-  }
-
-  /** Returns a direction of view from the far side of the surface, on the side of the wiping arm. */
-  private frontOf(instant: Instant | null): Vector3 {
-    const robot = this.recording.head?.robot;
-    if (!instant || !robot || !instant.q.length || !this.robot) return new Vector3(0.75, -1, 0.85);
-    const base = this.robot.linkPlace(Math.max(0, robot.links.findIndex(({ shapes }) => shapes.length)));
-    const way = this.robot.toolPlace.sub(base).setZ(0);
-    if (way.length() < 1e-3) way.set(1, 0, 0);
-    const arm = robot.links.findIndex((link) => link.arm);
-    const aside = arm < 0 ? new Vector3() : this.robot.linkPlace(arm).sub(base);
-    const left = way.x * aside.y - way.y * aside.x > 1e-6;
-    return way.normalize().applyAxisAngle(new Vector3(0, 0, 1), left ? 0.95 : -0.95).setZ(0.62).normalize();
-  }
-
-  /** Returns the corners of the bounding boxes of all meshes in `objects`, in the world [m]. */
-  private cornersOf(objects: Object3D[]): Vector3[] {
-    this.scene.updateMatrixWorld(true);
-    const places: Vector3[] = [];
-    const add = (object: Object3D) => {
-      if (!object.visible) return;
-      if (object instanceof Mesh) {
-        const geometry = object.geometry as BufferGeometry;
-        geometry.computeBoundingBox();
-        const { min, max } = geometry.boundingBox!;
-        if (min.x <= max.x) {
-          for (let k = 0; k < 8; k++) places.push(new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(object.matrixWorld));
-        }
-      }
-      object.children.forEach(add);
-    };
-    objects.forEach(add);
-    return places.length ? places : [new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5)];
-  }
-
   private build({ center, radius }: Sphere): void {
     const cells = 2 * Math.min(60, Math.max(6, Math.ceil(3 * radius)));
     this.grid = new GridHelper(cells / 2, cells);
@@ -354,18 +370,21 @@ export class Stage {
     this.ground.scale.setScalar(cells / 2);
     this.ground.position.set(this.grid.position.x, this.grid.position.y, -0.001);
     this.ground.receiveShadow = true;
-    const sun = new DirectionalLight(0xffffff, 2.0);
+    const sun = new DirectionalLight(0xffffff, SUN_LIGHT);
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
     this.sun = sun;
     sun.shadow.mapSize.set(this.painter.shadowSize, this.painter.shadowSize);
     sun.shadow.bias = -0.0005;
     sun.shadow.normalBias = 0.01;
-    sun.shadow.intensity = 0.6;
+    sun.shadow.intensity = 0.4;
+    sun.shadow.radius = 4;
     Object.assign(sun.shadow.camera, {
       left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
     });
-    this.scene.add(this.grid, this.ground, sun, sun.target, new HemisphereLight(0xffffff, 0x8a8f98, 1.7), new AmbientLight(0xffffff, 0.35));
+    const sky = new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT);
+    sky.position.set(0, 0, 1);
+    this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));
     for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
       const material = new LineMaterial({ linewidth: 2.5 });
       material.color.set(colour(name));

@@ -1,24 +1,34 @@
 // The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
-  Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D, RingGeometry,
-  CircleGeometry, Shape, ShapeGeometry, Vector2,
+  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D,
+  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3,
 } from "three";
 import type { BufferGeometry } from "three";
 import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
-import { type Corner, liftGeometry, liftLine } from "./bend.ts";
+import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
+import { blocksOf, cornersOf, isBetween } from "./viewpoint.ts";
+import { woodTexture } from "./wood.ts";
 import { type Bend, trueShape } from "../store.ts";
+import type { Recording } from "../store.ts";
 import type { Round } from "../round.ts";
-import type { MeshRecord, Pose } from "../recording.ts";
+import type { Pose } from "../recording.ts";
 
 /** Height above the surface at which flat items are drawn [m]. */
 export const ABOVE = 0.0015;
 /** Length of a unit of the dashes that mark the truth [m]. */
 const DASH_M = 0.005;
+
+/** Opacity of furniture between camera and surface [1]. */
+const FADED = 0.2;
+/** Height over the surface to which the camera sees [m]. */
+const SIGHT_M = 0.03;
+/** Names of surfaces that are drawn as wood. */
+const WOODEN = /board|table|wood|desk|counter/i;
 
 /** Converts positions (x, y alternating) to corners above the surface. */
 export function corners(places: number[], above = ABOVE): Corner[] {
@@ -28,6 +38,10 @@ export function corners(places: number[], above = ABOVE): Corner[] {
 
 export class Still {
   readonly group = new Group();
+  /** Furniture and surface. */
+  readonly bodies = new Group();
+  private readonly obstacles: Mesh<BufferGeometry, Material>[] = [];
+  private sights: Vector3[] | null = null;
   surface: Mesh | null = null;
   private found: Group | null = null;
   private actual: Object3D | null = null;
@@ -38,22 +52,23 @@ export class Still {
   private readonly materials: Material[] = [];
   private readonly geometries: BufferGeometry[] = [];
 
-  constructor(readonly round: Round, meshes: MeshRecord[]) {
+  constructor(readonly round: Round, { head, meshes }: Recording) {
     const { plan } = round;
+    this.group.add(this.bodies);
     for (const { part, ...solid } of plan.scene) {
       const geometry = geometryOf(solid, meshes);
       const obstacle = part === "obstacle";
-      // The carrier is drawn farther, so that a surface that was found below its top stays visible.
-      const material = obstacle ? new MeshLambertMaterial({ transparent: true, opacity: 0.5, depthWrite: false }) : shiftDepth(new MeshLambertMaterial(), 1.015);
-      const body = new Mesh(geometry, this.keep(material, obstacle ? "obstacle" : "carrier"));
-      body.receiveShadow = !obstacle;
-      body.renderOrder = obstacle ? 1 : 0;
+      // Furniture is drawn farther, so that a surface that was found below its top stays visible.
+      const body = new Mesh(geometry, this.keep(shiftDepth(new MeshLambertMaterial(), 1.015), obstacle ? "obstacle" : "carrier"));
+      body.receiveShadow = body.castShadow = true;
+      if (obstacle) this.obstacles.push(body);
       const edges = this.own(new EdgesGeometry(geometry, 30));
-      const edge = new LineSegments(edges, this.keep(new LineBasicMaterial({ transparent: true, opacity: 0.5 }), "obstacle-line"));
+      const edge = new LineSegments(edges, this.keep(shiftDepth(new LineBasicMaterial({ transparent: true, opacity: 0.4 }), 1.01), "obstacle-line"));
       if (solid.kind !== "mesh") this.geometries.push(geometry);
-      for (const object of [body, edge]) this.group.add(placeAt(object, solid.pose));
+      this.bodies.add(placeAt(body, solid.pose));
+      this.group.add(placeAt(edge, solid.pose));
     }
-    this.addSurface();
+    this.addSurface(WOODEN.test(head?.task?.surface ?? ""));
     this.addGoal();
     plan.strokes.forEach((stroke) => {
       const material = this.keep(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
@@ -88,6 +103,19 @@ export class Still {
       material.linewidth = i === stroke ? 9 : 6;
       material.opacity = i === stroke ? 0.6 : 0.35;
     });
+  }
+
+  /** Makes furniture between the camera and the surface translucent. */
+  fade(eye: Vector3): void {
+    if (!this.surface || !this.obstacles.length) return;
+    this.sights ??= this.makeSights(this.surface);
+    for (const obstacle of this.obstacles) {
+      const [block] = blocksOf([obstacle]);
+      const hides = block !== undefined && this.sights.some((place) => isBetween(block, place, eye));
+      obstacle.material.transparent = hides;
+      obstacle.material.opacity = hides ? FADED : 1;
+      obstacle.material.depthWrite = obstacle.castShadow = !hides;
+    }
   }
 
   paint(): void {
@@ -127,14 +155,24 @@ export class Still {
     return this.own(liftGeometry(bend, new ShapeGeometry(shape)));
   }
 
-  private addSurface(): void {
+  /** Returns points over corners and middle of the surface in the world, which are to be seen [m]. */
+  private makeSights(surface: Mesh): Vector3[] {
+    this.group.updateMatrixWorld(true);
+    const corners = cornersOf([surface]);
+    const middle = corners.reduce((sum, corner) => sum.addScaledVector(corner, 1 / corners.length), new Vector3());
+    return [middle, ...corners.map((corner) => corner.lerp(middle, 0.1))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), SIGHT_M));
+  }
+
+  private addSurface(wooden: boolean): void {
     const { pose, shape } = this.round.plan.surface;
     const face = this.face();
     if (!face) return;
     const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
-    this.surface = placeAt(new Mesh(face, this.keep(material, "surface-3d")), pose);
+    // A curved surface has no texture coordinates.
+    if (wooden && !shape) material.map = woodTexture();
+    this.surface = placeAt(new Mesh(face, this.keep(material, wooden ? "surface-3d" : "sheet-3d")), pose);
     this.surface.receiveShadow = true;
-    this.group.add(this.surface);
+    this.bodies.add(this.surface);
     const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring, true), true));
     this.group.add(placeAt(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
   }

@@ -1,0 +1,38 @@
+// The grain of a wooden board.
+import { CanvasTexture, RepeatWrapping, SRGBColorSpace } from "three";
+
+/** Size of the picture [pixels], and of what it covers [m]. */
+const SIZE_PX = 256;
+const SIZE_M = 0.24;
+/** Number of strips that the board is glued from, and their largest darkening and that of the grain [1]. */
+const STRIPS = 4;
+const STRIP_SHADE = 0.04;
+const GRAIN_SHADE = 0.05;
+
+let texture: CanvasTexture | null = null;
+
+/** Returns shades of white, by which the colour of the board is multiplied; coordinates are in metres. */
+export function woodTexture(): CanvasTexture {
+  if (texture) return texture;
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = SIZE_PX;
+  const pen = canvas.getContext("2d")!;
+  const picture = pen.createImageData(SIZE_PX, SIZE_PX);
+  for (let y = 0; y < SIZE_PX; y++) for (let x = 0; x < SIZE_PX; x++) {
+    const strip = Math.floor((STRIPS * y) / SIZE_PX);
+    // Waves along x have whole periods, so that the picture repeats without a seam.
+    const turn = (2 * Math.PI * x) / SIZE_PX;
+    const across = y + 5 * Math.sin(turn + 2.1 * strip) + 2 * Math.sin(2 * turn + strip);
+    const grain = 0.5 + 0.25 * Math.sin(0.55 * across + 3 * strip) + 0.25 * Math.sin(1.63 * across + strip);
+    const seam = (STRIPS * y) % SIZE_PX < STRIPS ? 0.06 : 0;
+    const shade = 255 * (1 - STRIP_SHADE * Math.abs(Math.sin(5.3 * strip + 1)) - GRAIN_SHADE * grain ** 3 - seam);
+    picture.data.set([shade, shade, shade, 255], 4 * (SIZE_PX * y + x));
+  }
+  pen.putImageData(picture, 0, 0);
+  texture = new CanvasTexture(canvas);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.repeat.setScalar(1 / SIZE_M);
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = 4;
+  return texture;
+}
