@@ -14,6 +14,7 @@ import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments } from "./lines.ts";
+import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
 import { Axes, Path, Trajectories, hexOr } from "./path.ts";
@@ -24,6 +25,7 @@ import { Still } from "./surface.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
 import type { Instant, Recording } from "../store.ts";
+import { mapAt } from "../treated.ts";
 
 export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface", boolean>;
 export const LAYERS: Layers = {
@@ -66,6 +68,7 @@ export class Stage {
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
+  private readonly map = new SurfaceMap();
   private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
@@ -93,7 +96,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, tool: new MeshLambertMaterial(), coloured };
-    this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -250,6 +253,7 @@ export class Stage {
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.dirt.show(this.recording, this.time, instant, this.layers);
+    this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
