@@ -1,5 +1,6 @@
 //! The summary at the end of a run: task, result, certainty, and what would narrow the interval.
 
+use super::treated::Band;
 use super::words;
 use crate::draw::percent;
 use crate::rounds::words::format_estimate;
@@ -84,8 +85,9 @@ fn summarise_execution(
     Story {
         asked,
         happened: format!(
-            "Estimated performance after {rounds}: {} ({}).",
+            "Estimated performance after {rounds}: {}{} ({}).",
             percent(found.performance.mean),
+            describe_treatment(outcome.task, last).unwrap_or_default(),
             match (last.verdict, &last.execution.ending) {
                 (Verdict::Again, Ending::Stopped) => "the run was stopped",
                 (Verdict::Again, _) => "the limit of rounds is reached",
@@ -98,6 +100,21 @@ fn summarise_execution(
         ),
         surer: words::suggest_measures(last),
     }
+}
+
+/// States what the estimate counts on a treated surface; `None` for dirt.
+fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
+    let band = Band::new(task)?;
+    let belief = &last.interpretation.belief;
+    let treatment = task.treatment?;
+    let above = (belief.members().iter().zip(belief.weights()))
+        .map(|(places, weight)| Some(weight * treatment.share_above_limit(places)?))
+        .sum::<Option<f64>>();
+    let done = format!(" of the surface points have {}", band.describe_done());
+    Some(match above {
+        Some(share) => format!("{done}, {} more than the limit", percent(share)),
+        None => done,
+    })
 }
 
 fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
