@@ -99,7 +99,7 @@ export class ScenePanel {
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
     const treated = rounds.find(isTreated);
-    if (treated && !this.treats) this.nameMaps(treated);
+    if (this.stage && treated && !this.treats) this.nameMaps(treated);
     for (const [name, box] of this.boxes) box.hidden = !has[name];
     const layers = this.element.querySelector<HTMLElement>(".w-layers");
     if (layers) layers.hidden = !Object.values(has).some(Boolean);
