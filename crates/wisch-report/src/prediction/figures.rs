@@ -1,7 +1,7 @@
 //! The pictures of a plan and its prediction.
 
 use super::chart;
-use super::frames::{Frame, thinning};
+use super::frames::{Frame, thin_places};
 use super::keys::{Key, entries};
 use super::layers::{Drawing, HEIGHT};
 use crate::draw::{
@@ -220,8 +220,9 @@ pub(crate) fn snapshot(drawing: &Drawing, frame: &Frame, width: f64) -> Panel {
         .iter()
         .take(frame.stroke.map_or(0, |s| s + 1));
     // A snapshot is small, so it shows fewer particles than a frame.
-    let step = thinning(frame.particles.len(), 1_500);
-    let particles: Vec<_> = frame.particles.iter().copied().step_by(step).collect();
+    let places: Vec<_> = frame.particles.iter().map(|(place, _)| *place).collect();
+    let kept = thin_places(&places, 1_500, drawing.input.task.action);
+    let particles: Vec<_> = kept.iter().map(|&i| frame.particles[i]).collect();
     let radius = surface::dot_radius(&view, particles.len()).clamp(0.8, 2.0);
     let last = frame.stroke.unwrap_or(0);
     let body = html! {

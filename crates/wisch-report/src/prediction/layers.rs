@@ -1,6 +1,6 @@
 //! Layers of a drawing of the surface.
 
-use super::frames::{MAX_DRAWN, thinning};
+use super::frames::kept_particles;
 use crate::draw::{
     BANDS, Contours, Pen, View, WIDTH, px,
     surface::{self, Outcome, Particle},
@@ -31,13 +31,9 @@ impl<'a> Drawing<'a> {
         let task = input.task;
         let radius = input.plan.collision_radius;
         let obstacles = surface::obstacle_rings(task, radius);
-        let thinning = thinning(task.particles.len(), MAX_DRAWN);
-        let before: Vec<Point2> = task
-            .particles
-            .iter()
-            .step_by(thinning)
-            .map(|(p, _)| p)
-            .collect();
+        let kept = kept_particles(task);
+        let before: Vec<Point2> = kept.iter().map(|&i| task.particles.position(i)).collect();
+        let predicted = &input.prediction.particles;
         let unreachable = if input.plan.unreachable_share > 0.0 {
             let graph = &input.plan.graph;
             before
@@ -55,11 +51,8 @@ impl<'a> Drawing<'a> {
             obstacles,
             before,
             unreachable,
-            after: input
-                .prediction
-                .particles
-                .iter()
-                .step_by(thinning)
+            after: (kept.iter())
+                .map(|&i| (predicted.position(i), predicted.fate(i)))
                 .collect(),
         }
     }

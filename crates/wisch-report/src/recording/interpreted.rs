@@ -4,6 +4,7 @@ use super::incidents::{Incident, find_incidents};
 use super::particles::flat_remaining;
 use super::samples::round_to;
 use super::surface::BendRecord;
+use super::treated::TreatedPlaces;
 use super::{RoundTruth, words};
 use crate::scene::seven;
 use serde::Serialize;
@@ -27,6 +28,9 @@ pub(super) struct Interpreted {
     contacts: Vec<[f64; 2]>,
     incidents: Vec<Incident>,
     particles: Vec<i64>,
+    /// Mean values of the treated places over the belief, in steps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    treated: Option<Vec<i64>>,
 }
 
 #[derive(Serialize)]
@@ -51,6 +55,9 @@ pub(super) struct Truth {
     round: usize,
     performance: Option<f64>,
     particles: Option<Vec<i64>>,
+    /// True values of the treated places, in steps.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    treated: Option<Vec<i64>>,
     pushes: Vec<[f64; 2]>,
     surface: Option<[f64; 7]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,7 +65,7 @@ pub(super) struct Truth {
 }
 
 impl Interpreted {
-    pub(super) fn new(round: &Round, target: f64) -> Self {
+    pub(super) fn new(round: &Round, target: f64, places: Option<&TreatedPlaces>) -> Self {
         let (motion, found) = (&round.motion, &round.interpretation);
         let is_shown = |event: &&Event| !event.kind.is_phase() && event.kind != EventKind::Contact;
         Self {
@@ -79,10 +86,14 @@ impl Interpreted {
                 .collect(),
             contacts: contacts(found),
             incidents: find_incidents(round),
-            particles: flat_remaining(
-                typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
-                    .unwrap_or(&motion.task.particles),
-            ),
+            particles: match places {
+                Some(_) => Vec::new(),
+                None => flat_remaining(
+                    typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
+                        .unwrap_or(&motion.task.particles),
+                ),
+            },
+            treated: places.and_then(|places| places.mean_values(&found.belief)),
         }
     }
 }
@@ -108,12 +119,18 @@ impl EventRecord {
 }
 
 impl Truth {
-    pub(super) fn new(truth: &RoundTruth<'_>) -> Self {
+    pub(super) fn new(truth: &RoundTruth<'_>, places: Option<&TreatedPlaces>) -> Self {
         Self {
             piece: "truth",
             round: truth.round,
             performance: truth.performance.map(|share| round_to(share, 1e4)),
-            particles: truth.particles.map(flat_remaining),
+            particles: match places {
+                Some(_) => None,
+                None => truth.particles.map(flat_remaining),
+            },
+            treated: places
+                .zip(truth.particles)
+                .and_then(|(places, surface)| places.values(surface)),
             pushes: (truth.pushes.iter())
                 .map(|times| times.map(|time| round_to(time, 1e3)))
                 .collect(),

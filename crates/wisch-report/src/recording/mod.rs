@@ -17,6 +17,7 @@ mod story;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod treated;
 mod words;
 
 pub use logged::{LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask};
@@ -32,6 +33,7 @@ use samples::Batch;
 use serde::Serialize;
 use std::io::{self, Write};
 use story::Ended;
+use treated::TreatedPlaces;
 use wisch::follow::{Audit, Workcell};
 use wisch::geometry::Pose;
 use wisch::plan::{Plan, Prediction, Strategy};
@@ -128,6 +130,8 @@ pub struct RecordingWriter<W> {
     audited: Option<String>,
     batch: Batch,
     target: f64,
+    /// The places of a treated surface; `None` for dirt.
+    treated: Option<TreatedPlaces>,
 }
 
 impl<W: Write> RecordingWriter<W> {
@@ -143,6 +147,7 @@ impl<W: Write> RecordingWriter<W> {
             audited: None,
             batch: Batch::default(),
             target: 0.0,
+            treated: None,
         }
     }
 
@@ -170,6 +175,7 @@ impl<W: Write> RecordingWriter<W> {
     /// If the output cannot be written.
     pub fn begin(&mut self, head: &RecordingHead<'_>) -> io::Result<()> {
         self.target = head.target;
+        self.treated = TreatedPlaces::new(head.task);
         let piece = Head::new(head, &mut self.meshes);
         self.written = self.meshes.len();
         write(&mut self.output, &piece)
@@ -261,7 +267,8 @@ impl<W: Write> RecordingWriter<W> {
             }
             RunEvent::Decided(round) => {
                 self.flush()?;
-                write(&mut self.output, &Interpreted::new(round, self.target))
+                let piece = Interpreted::new(round, self.target, self.treated.as_ref());
+                write(&mut self.output, &piece)
             }
             RunEvent::Ended(_) => Ok(()),
         }
@@ -290,7 +297,7 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// If the output cannot be written.
     pub fn record_truth(&mut self, truth: &RoundTruth<'_>) -> io::Result<()> {
-        write(&mut self.output, &Truth::new(truth))
+        write(&mut self.output, &Truth::new(truth, self.treated.as_ref()))
     }
 
     /// Writes the last piece. `episode`: name of the episode in the memory, if one is kept.

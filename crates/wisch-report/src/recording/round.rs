@@ -6,6 +6,7 @@ use super::particles::{Moment, ParticleStep, line, steps};
 use super::phases::{PhaseRecord, phases};
 use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
 use super::surface::SurfaceRecord;
+use super::treated::{TreatedPlaces, TreatmentRecord};
 use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
@@ -31,6 +32,8 @@ pub(super) struct RoundPiece {
     predicted: Option<f64>,
     growth: Vec<[f64; 2]>,
     particles: Vec<ParticleStep>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    treatment: Option<TreatmentRecord>,
     why: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     considered: Vec<ConsideredRecord>,
@@ -135,6 +138,7 @@ impl RoundPiece {
             predicted: None,
             growth: Vec::new(),
             particles: Vec::new(),
+            treatment: None,
             why: Vec::new(),
             considered: Vec::new(),
             log: Some(log),
@@ -187,6 +191,7 @@ impl Shown<'_> {
                 (since, i)
             })
             .collect();
+        let treated = TreatedPlaces::new(task);
         let of_frame = |&(time, i): &(f64, usize)| Moment {
             time,
             places: (frames.frames()[i].particles.iter())
@@ -219,7 +224,15 @@ impl Shown<'_> {
             phases: followed.map_or_else(Vec::new, phases),
             predicted: Some(round_to(self.predicted, 1e4)),
             growth: growth.collect(),
-            particles: steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
+            // The places of a treated surface rest: their values change.
+            particles: match treated {
+                Some(_) => Vec::new(),
+                None => steps(&moments.iter().map(of_frame).collect::<Vec<_>>()),
+            },
+            treatment: treated.map(|places| {
+                let timed = (moments.iter()).map(|&(time, i)| (time, &frames.frames()[i]));
+                places.record(task, timed)
+            }),
             why: self.why,
             considered: Vec::new(),
             log: None,

@@ -1,5 +1,6 @@
 //! The summary at the end of a run: task, result, certainty, and what would narrow the interval.
 
+use super::treated::Band;
 use super::words;
 use crate::draw::percent;
 use crate::rounds::words::format_estimate;
@@ -110,7 +111,8 @@ fn summarise_execution(
     let mean = percent(found.performance.mean);
     let known = if found.is_conclusive() {
         format!(
-            "Estimated performance after {count}: {mean} of a target of {}.",
+            "Estimated performance after {count}: {mean}{} of a target of {}.",
+            describe_treatment(outcome.task, last).unwrap_or_default(),
             percent(outcome.target)
         )
     } else {
@@ -188,6 +190,21 @@ fn suggest_next(outcome: &RunOutcome<'_>, last: &Round, rounds: usize) -> Option
     Some(NextStep {
         words: words.to_owned(),
         command: (!command.is_empty()).then(|| command.to_owned()),
+    })
+}
+
+/// States what the estimate counts on a treated surface; `None` for dirt.
+fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
+    let band = Band::new(task)?;
+    let belief = &last.interpretation.belief;
+    let treatment = task.treatment?;
+    let above = (belief.members().iter().zip(belief.weights()))
+        .map(|(places, weight)| Some(weight * treatment.share_above_limit(places)?))
+        .sum::<Option<f64>>();
+    let done = format!(" of the surface points have {}", band.describe_done());
+    Some(match above {
+        Some(share) => format!("{done}, {} more than the limit", percent(share)),
+        None => done,
     })
 }
 

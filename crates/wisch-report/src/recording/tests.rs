@@ -2,8 +2,8 @@ use super::*;
 use serde_json::Value;
 use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
-use wisch::plan::{Candidate, PlanError, PlanScore, predict};
-use wisch::represent::Action;
+use wisch::plan::{Candidate, PlanConfig, PlanError, PlanScore, plan, predict};
+use wisch::represent::{Action, DirtArea, OccupiedArea, Treatment, surface_cells};
 use wisch::run::CandidateEvaluation;
 use wisch_testkit as kit;
 
@@ -151,6 +151,72 @@ fn many_particles_are_thinned() {
         steps.last().map(|step| step.0),
         Some(79.0),
         "the end is there"
+    );
+}
+
+/// Returns a board whose about 1200 points are to be polished: 2 to 4 passes each.
+pub(super) fn polished() -> Task {
+    let mut task = kit::board(Action::Polish, [0.6, 0.0, 0.2]);
+    task.treatment = Some(Treatment::Polish {
+        passes: 2,
+        max_passes: 4,
+        preston: None,
+    });
+    let area = DirtArea {
+        outline: &task.surface.outline,
+        occupied: &OccupiedArea::default(),
+    };
+    task.particles = surface_cells(area, 1200).expect("there is room");
+    task
+}
+
+#[test]
+fn a_polished_surface_has_its_passes_at_every_place() {
+    let task = polished();
+    let config = PlanConfig {
+        strategy: Strategy::Lanes,
+        ..PlanConfig::default()
+    };
+    let plan = plan(&task, &config).expect("a plan");
+    let mut frames = EffectFrames::new(&task, &plan);
+    let prediction = predict(&task, &plan, |progress| frames.record(progress));
+    let mut recording = RecordingWriter::new(Vec::new());
+    let planned = UnexecutedPlan {
+        task: &task,
+        plan: &plan,
+        prediction: &prediction,
+        frames: &frames,
+        followed: None,
+    };
+    recording.record_plan(&planned).expect("memory takes it");
+    let piece = pieces(&recording.into_inner()).remove(0);
+    assert_eq!(
+        piece["particles"],
+        serde_json::json!([]),
+        "places are no dirt"
+    );
+    let record = &piece["treatment"];
+    assert_eq!(record["unit"], "passes");
+    assert_eq!([&record["low"], &record["high"]], [2.0, 4.0]);
+    let numbers = |value: &Value| -> Vec<f64> {
+        let list = value.as_array().expect("numbers").iter();
+        list.map(|number| number.as_f64().expect("a number"))
+            .collect()
+    };
+    assert_eq!(numbers(&record["places"]).len(), 2 * task.particles.len());
+    let step = record["step"].as_f64().expect("a number");
+    let mut passes = vec![f64::NAN; task.particles.len()];
+    for change in record["steps"].as_array().expect("steps") {
+        for (place, value) in numbers(&change[1]).iter().zip(numbers(&change[2])) {
+            passes[*place as usize] = step * value;
+        }
+    }
+    let done = passes.iter().filter(|passes| passes.round() >= 2.0).count();
+    let share = done as f64 / passes.len() as f64;
+    assert!(share > 0.3, "{share}");
+    assert!(
+        (share - prediction.performance.ratio()).abs() < 0.005,
+        "{share}"
     );
 }
 

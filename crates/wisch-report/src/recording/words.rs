@@ -1,5 +1,6 @@
 //! Sentences of the recording: task, plan, checks, results and advice.
 
+use super::treated::Band;
 use crate::draw::{grouped, metres, percent};
 use crate::rounds::words::{count_events, describe_diagnosis, format_estimate};
 use wisch::follow::{Audit, Followed};
@@ -20,7 +21,12 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Dispense => format!("Dispense {medium} onto the {surface}"),
     };
     let tool = format_name(&task.tool.name);
-    let (target, count) = (percent(target), grouped(task.particles.len()));
+    let count = grouped(task.particles.len());
+    if let Some(band) = Band::new(task) {
+        let wanted = band.describe_target(target, &count);
+        return format!("{doing} with the {tool}. Target: {wanted}.");
+    }
+    let target = percent(target);
     let wanted = match task.action {
         Action::Absorb => format!("{target} of the {count} particles absorbed"),
         Action::Collect => format!("{target} of the {count} particles in the goal area"),

@@ -9,6 +9,7 @@ use crate::draw::{
     },
     tick_step,
 };
+use crate::prediction::frames::thin_places;
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Vector2};
 use wisch::interpret::{ContactResidual, RESIDUAL_CELL};
@@ -324,11 +325,12 @@ fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (P
 }
 
 fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
-    let step = particles.len().div_ceil(MAX_DRAWN).max(1);
-    let drawn: Vec<(Point2, Outcome)> = (particles.iter().step_by(step))
-        .map(|particle| {
+    let places: Vec<Point2> = particles.iter().map(|(place, _)| place).collect();
+    let drawn: Vec<(Point2, Outcome)> = (thin_places(&places, MAX_DRAWN, input.task.action).iter())
+        .map(|&i| {
+            let particle = (places[i], particles.fate(i));
             (
-                particle.0,
+                places[i],
                 outcome(input.goal, &input.task.surface, particle),
             )
         })

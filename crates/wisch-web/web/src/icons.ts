@@ -16,6 +16,7 @@ const MARKS: Record<string, () => SVGElement> = {
   estimated: () => svg("circle", { cx: 8, cy: 8, r: 4.6, fill: "none", stroke: "var(--estimated)", "stroke-width": 2.4 }),
   actual: () => svg("path", { d: "M4 4l8 8M12 4l-8 8", fill: "none", stroke: "var(--actual)", "stroke-width": 2.6 }),
   seen: () => svg("rect", { x: 3, y: 3, width: 10, height: 10, fill: "none", stroke: "var(--seen)", "stroke-width": 1.8 }),
+  map: () => svg("g", {}, ...["little-3", "allowed-2", "much-1"].map((name, i) => svg("rect", { x: 1 + 5 * i, y: 3, width: 5, height: 10, fill: `var(--${name})` }))),
   path: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--contact)", "stroke-width": 2.4 }),
   strokes: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--stroke)", "stroke-width": 2 }),
   force: () => svg("path", { d: "M8 15V6M8 1l4 6H4z", fill: "var(--force)", stroke: "var(--force)", "stroke-width": 2 }),

@@ -24,8 +24,8 @@ function drawDots({ mark, places }: Dots, unit: number): SVGPathElement {
   return svg("path", { d, class: `w-dots w-dots-${mark}`, "stroke-width": mark === "believed" ? 2.2 * unit : 0.7 * unit });
 }
 
-/** Draws the surface of a round with its dirt, in millimetres. */
-export function surfacePicture(round: Round, layers: Dots[], label: string): SVGSVGElement {
+/** Draws the surface of a round with its dirt, in millimetres. `map`: its map, and the id by which the map is clipped to the surface. */
+export function surfacePicture(round: Round, layers: Dots[], label: string, map: { id: string; map: SVGElement } | null = null): SVGSVGElement {
   const rings = round.plan.surface.rings.map((ring) => metres(ring)).filter((ring) => ring.length >= 6);
   const { goal } = round.plan;
   let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -57,6 +57,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string): SVG
   const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
   return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
     svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.005 * 1000 * Math.max(right - left, top - bottom) }),
+    map && svg("clipPath", { id: map.id }, svg("path", { d, "clip-rule": "evenodd" })), map?.map,
     goal?.kind === "collected" && svg("circle", {
       cx: 1000 * goal.place[0], cy: -1000 * goal.place[1], r: 1000 * goal.radius, class: "w-goal", "stroke-width": 0.004 * 1000 * Math.max(right - left, top - bottom),
     }),

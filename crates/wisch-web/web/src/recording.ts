@@ -89,6 +89,27 @@ export interface StagePiece {
 /** Time; indices in the frame before of particles that are gone; places of those that are new. */
 export type ParticleStep = [time: number, gone: number[], added: Places];
 
+/** Time; indices of the places whose value changes; their values, in steps. */
+export type ValueStep = [time: number, changed: number[], values: number[]];
+
+/** The places of a treated surface, with the allowed band and the predicted values. */
+export interface TreatmentRecord {
+  /** Passes of a tool, or the thickness of a coat. */
+  unit: "passes" | "\u00b5m";
+  /** In the unit. The band includes both its ends; passes are rounded before they are compared with it. */
+  target: number;
+  low: number;
+  high: number;
+  /** Value of one step. */
+  step: number;
+  /** Sides of a place's cell along x and y. */
+  cell: [number, number];
+  /** Middles of the cells. */
+  places: Places;
+  /** The first step has all values as believed when the round begins. */
+  steps: ValueStep[];
+}
+
 /** A candidate plan; unknown values are null. */
 export interface Considered {
   strategy: string;
@@ -164,8 +185,10 @@ export interface RoundPiece {
   /** Performance that the plan promises, in [0, 1], and how it is predicted to grow: time, performance. */
   predicted: number | null;
   growth: [number, number][];
-  /** Particles as they are predicted to move; the first step has them as believed when the round begins. */
+  /** Particles as they are predicted to move; the first step has them as believed when the round begins. Empty with `treatment`. */
   particles: ParticleStep[];
+  /** Of a polished or coated surface; recordings up to version 0.2.0 have none, and `particles` instead. */
+  treatment?: TreatmentRecord;
   /** Why this plan: sentences. */
   why: string[];
   /** Among which plans it was chosen, where several were weighed. */
@@ -253,8 +276,10 @@ export interface InterpretedPiece {
   contacts: [number, number][];
   /** Recordings of version 0.2.0 have none. */
   incidents?: IncidentRecord[];
-  /** Estimated dirt locations: a typical sample of the belief. */
+  /** Estimated dirt locations: a typical sample of the belief. Empty with `treated`. */
   particles: Places;
+  /** Mean values over the belief of the round's `treatment.places`, in steps. */
+  treated?: number[];
 }
 
 /** The simulated world's ground truth of a round. */
@@ -263,6 +288,8 @@ export interface TruthPiece {
   round: number;
   performance: number | null;
   particles: Places | null;
+  /** True values of the round's `treatment.places`, in steps. */
+  treated?: number[];
   /** True pushes: start, end. */
   pushes: [number, number][];
   /** True pose of the surface, if known. */

@@ -1,6 +1,7 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
+import { ValueTrack } from "./treated.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
 /** A force counts if it exceeds both TOUCH_N [N] and this share of the round's peak normal force [1]. */
@@ -28,6 +29,8 @@ export class Round {
   readonly normal = new PlotColumn();
   readonly height = new PlotColumn();
   readonly particles: ParticleTrack;
+  /** Predicted values of a treated surface. */
+  readonly treated: ValueTrack | null;
   interpreted: InterpretedPiece | null = null;
   truth: TruthPiece | null = null;
   observed: ObservedPiece | null = null;
@@ -39,6 +42,7 @@ export class Round {
     this.number = plan.round;
     this.q = Array.from({ length: variables }, () => new Column(false, 64));
     this.particles = new ParticleTrack(plan.particles);
+    this.treated = plan.treatment ? new ValueTrack(plan.treatment) : null;
   }
 
   /** Detected events. */

@@ -55,18 +55,25 @@ const considered = has({
   score: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
 });
 
+const treatment: Check = (value) => {
+  if (!has({ unit: text, target: finite, low: finite, high: finite, step: finite, cell: exactly(2), places: list(finite), steps: list(some) })(value)) return false;
+  const { unit, low, high, target, places, steps } = value as { unit: string; low: number; high: number; target: number; places: number[]; steps: unknown[][] };
+  const isStep = (step: unknown[]): boolean => step.length === 3 && finite(step[0]) && list(finite)(step[1]) && list(finite)(step[2]);
+  return ["passes", "\u00b5m"].includes(unit) && low > 0 && low <= target && target <= high && places.length % 2 === 0 && steps.every(isStep);
+};
+
 const round = has({
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(curved) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
-  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
+  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), treatment: maybe(treatment), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
 const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });
 
 const interpreted = has({
   round: finite, duration: finite, estimate, by_touch: estimate, verdict: text, words: list(text), found: maybe(pose),
-  events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some,
+  events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some, treated: maybe(some),
 });
 
 const fact: Check = (value) => Array.isArray(value) && text(value[0]) && text(value[1]) && maybe(finite)(value[2]);
@@ -75,7 +82,7 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
   head, round, interpreted,
   stage: has({ stage: text, words: text }),
   observed: has({ round: finite, detections: some }),
-  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
+  truth: has({ round: finite, performance: maybe(finite), particles: maybe(some), treated: maybe(some), pushes: list(interval), surface: maybe(pose), shape: maybe(shaped) }),
   ended: has({ verdict: maybe(text), badge: maybe(text), story: has({ asked: text, happened: text, sure: text, surer: text, next: maybe(has({ words: text, command: maybe(text) })) }), facts: list(fact) }),
 };
 

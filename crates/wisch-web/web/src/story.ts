@@ -1,12 +1,14 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
 import { clockText, el, percent, say, svg } from "./dom.ts";
 import { mark } from "./icons.ts";
+import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import type { Dots } from "./picture.ts";
 import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
+import { isTreated } from "./treated.ts";
 import { LOGGED, goalState } from "./words.ts";
 
 const NAMES: Record<string, string> = {
@@ -116,6 +118,11 @@ export class Story {
     const first = rounds[0];
     if (!first) {
       this.pictures.replaceChildren();
+      return;
+    }
+    this.pictures.toggleAttribute("data-maps", isTreated(first));
+    if (isTreated(first)) {
+      this.pictures.replaceChildren(...makeMapFigures(this.recording));
       return;
     }
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open } from "./chromium.mjs";
 import { answersPage, reportPage } from "./page.mjs";
-import { hour, lines, sample } from "./sample.mjs";
+import { hour, lines, polished, sample } from "./sample.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "wisch-web-"));
 const pictures = process.argv[2] ?? null;
@@ -469,6 +469,42 @@ const cases = {
     await page.waitForSelector(".w-named li");
     assert.deepEqual(complaints, []);
     await page.close();
+  },
+
+  async "a polished surface is a map with a scale, predicted, estimated and true"() {
+    const { page, complaints, picture } = await show("polished", lines(polished()));
+    await page.waitForFunction(() => window.firstFrame);
+    assert.deepEqual(await page.locator(".w-pictures figcaption").allInnerTexts(), ["Before", "Predicted for round 2", "Estimated after 2 rounds: mean of the belief", "True after 2 rounds"]);
+    assert.equal(await page.locator(".w-dots").count(), 0, "places are no dirt");
+    const labels = await page.locator(".w-pictures svg.w-picture").evaluateAll((list) => list.map((one) => one.getAttribute("aria-label")));
+    assert.match(labels[0], /passes per place; 100\.0\u202f% too little, 0\.0\u202f% allowed, 0\.0\u202f% too much of 768 places/);
+    // 0 to 5 passes from left to right: 10 of 32 columns have less than 1.5, 10 have 3.5 and more.
+    assert.match(labels[3], /31\.3\u202f% too little, 37\.5\u202f% allowed, 31\.3\u202f% too much/);
+    assert.match(await page.locator(".w-pictures .w-scale").innerText(), /too little\s+0\s+1\s+allowed\s+2\s+3\s+too much\s+4\s+\u2265 5\s+passes; allowed: 2 to 3 passes/);
+    const swatch = page.locator(".w-pictures .w-scale i").nth(2);
+    const shown = await page.evaluate(() => getComputedStyle(document.querySelectorAll(".w-map")[3].children[2]).fill);
+    assert.equal(await swatch.evaluate((one) => getComputedStyle(one).backgroundColor), shown, "scale and map have the same colours");
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    const title = async (t) => {
+      await page.evaluate((t) => wisch.view.seek(t), t);
+      await drawn(page);
+      return page.locator(".w-scene-scale strong").innerText();
+    };
+    const end = await page.evaluate(() => wisch.recording.rounds[0].end);
+    assert.equal(await title(7), "Predicted passes");
+    await picture("map-predicted");
+    assert.equal(await title(end), "Estimated passes after round 1: mean of the belief");
+    await page.getByLabel("True passes after the round").check();
+    assert.equal(await title(end), "True passes after round 1");
+    await picture("map-true");
+    assert.deepEqual(complaints, []);
+    await page.close();
+    const old = await show("polished-before", lines(polished().map(({ treatment, treated, ...piece }) => piece)));
+    assert.match(await old.page.locator(".w-pictures").innerText(), /This recording has no passes per place\./);
+    assert.equal(await old.page.locator(".w-dots").count(), 0);
+    assert.equal(await old.page.locator(".w-scene-scale").isVisible(), false);
+    assert.deepEqual(old.complaints, []);
+    await old.page.close();
   },
 
   async "a recording of an hour can be dragged through"() {

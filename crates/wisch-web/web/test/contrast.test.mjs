@@ -33,14 +33,12 @@ const LIES_ON = {
   found: ["board", "scene"], contact: ["board", "scene", "lanes"], pushed: ["board", "scene", "lanes"], lifted: ["board", "scene"], force: ["board", "scene", "lanes"],
   collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
   tool: ["board", "scene"], stroke: ["board"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
-  "too-little": ["board", "picture"], "in-band": ["board", "picture"], "too-much": ["board", "picture"],
 };
 
 /** Marks of different meaning that appear in the same place. */
 const PLACES = {
   "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line"],
   "outlines of the board": ["found", "actual", "goal-line"],
-  "map of passes": ["too-little", "in-band", "too-much", "tool", "contact", "lifted", "ink"],
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],
   "lane of contact": ["contact", "pushed", "cursor"],
@@ -83,6 +81,22 @@ for (const [theme, colours] of THEMES) {
     }));
     assert.deepEqual(alike, []);
     for (const [a, b] of SAME) assert.equal(colours[a], colours[b], `${a} means what ${b} means`);
+  });
+
+  test(`${theme}: too little, allowed and too much of a map differ for all eyes`, () => {
+    const names = Object.keys(colours).filter((one) => /^(little|allowed|much)-/.test(one));
+    assert.equal(names.length, 9);
+    const degree = (one) => one.split("-")[0];
+    for (const eyes of [null, ...BLINDNESS]) {
+      const seen = (one) => (eyes ? seenWith(eyes, colours[one]) : colours[one]);
+      for (const a of names) {
+        for (const b of names.filter((other) => other > a)) {
+          const least = degree(a) === degree(b) ? 5 : eyes ? APART_BLIND : APART;
+          const found = difference(seen(a), seen(b));
+          assert.ok(found >= least, `${a} and ${b}, ${eyes ?? "usual eyes"}: ${found}`);
+        }
+      }
+    }
   });
 }
 

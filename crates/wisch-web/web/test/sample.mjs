@@ -214,6 +214,24 @@ function samples(pieces, round, track, random) {
   });
 }
 
+/** The pieces of a run as if its surface were polished: 2 to 3 passes wanted, 32 columns and 24 rows of places. */
+export function polished(pieces = sample()) {
+  const [columns, rows] = [32, 24];
+  const places = Array.from({ length: columns * rows }, (_, i) => [whole(0.01 * (i % columns) - 0.155), whole(0.01 * Math.floor(i / columns) - 0.115)]).flat();
+  /** Hundredths of a pass, more of them to the right. */
+  const passes = (most) => Array.from({ length: columns * rows }, (_, i) => Math.round((100 * most * (i % columns)) / (columns - 1)));
+  return pieces.map((piece) => {
+    if (piece.piece === "head") return { ...piece, task: { ...piece.task, action: "polish" } };
+    if (piece.piece === "interpreted") return { ...piece, particles: [], treated: passes(piece.round === 1 ? 2 : 4) };
+    if (piece.piece === "truth") return { ...piece, particles: null, treated: passes(piece.round === 1 ? 3 : 5) };
+    if (piece.piece !== "round") return piece;
+    const begin = piece.round === 1 ? passes(0) : passes(2);
+    const right = begin.map((_, i) => i).filter((i) => i % columns >= columns / 2);
+    const steps = [[0, begin.map((_, i) => i), begin], [6, right, right.map((i) => begin[i] + 150)], [9, [0], [400]]];
+    return { ...piece, goal: { kind: "polished" }, particles: [], treatment: { unit: "passes", target: 2, low: 2, high: 3, step: 0.01, cell: [0.01, 0.01], places, steps } };
+  });
+}
+
 /** An hour of samples of a robot with many joints, without dirt. */
 export function hour({ seconds = 3600, rate = 25, variables = 40 } = {}) {
   const pieces = sample({ count: 100 }).slice(0, 1);

@@ -6,6 +6,7 @@ import { lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import type { Bend, Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
+import { isTreated } from "../treated.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
@@ -80,13 +81,15 @@ export class Dirt {
     if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
     const { outcome } = this.outcome;
     const { pose, shape } = round.plan.surface;
-    this.set("believed", layers.believed ? round.particles.at(time) : null, pose, shape, 1);
+    // The places of a treated surface are no dirt.
+    const dirty = !isTreated(round);
+    this.set("believed", dirty && layers.believed ? round.particles.at(time) : null, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome fades once the robot wipes and so changes it.
     const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
     const opacity = t <= Math.max(outcome?.since ?? 0, touched) ? 1 : 0.45;
-    this.set("estimated", layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
-    this.set("actual", layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
+    this.set("estimated", dirty && layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
+    this.set("actual", dirty && layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
   }
 

@@ -1,10 +1,14 @@
 // The scene with its overlays: legend with toggles, and buttons for views.
-import { el, uniqueId } from "../dom.ts";
+import { el, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
+import { makeScale } from "../maps.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { LAYERS, Stage } from "./stage.ts";
 import type { Layers, Look } from "./stage.ts";
 import type { Recording } from "../store.ts";
+import { isTreated, mapAt, quantityOf } from "../treated.ts";
+import type { TreatmentRecord } from "../recording.ts";
+import type { Round } from "../round.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
@@ -26,7 +30,12 @@ export class ScenePanel {
   private readonly follow: HTMLButtonElement;
   private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the shown time" });
   private readonly stop: (() => void)[] = [];
+  private readonly mapTitle = el("strong");
+  private readonly scale = el("div", { class: "w-scene-scale", hidden: true }, this.mapTitle);
+  private scaleOf: TreatmentRecord | null = null;
+  private treats = false;
   private version = -1;
+  private time = 0;
 
   constructor(private readonly recording: Recording, compact: boolean, seek: (time: number) => void) {
     const canvas = el("canvas", { class: "w-canvas", tabindex: 0, role: "application", "aria-label": "Robot, tool and surface in 3-D. W A S D turn the scene, Z and X zoom." });
@@ -42,7 +51,7 @@ export class ScenePanel {
       el("label", { class: "w-button w-xray", title: "Look through the robot" }, "X-ray", xray));
     this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
       this.stage ? canvas : el("p", { class: "w-none" }, "This browser cannot draw 3-D graphics. The other panels still work."),
-      this.stage && views, this.stage && this.legend(compact), this.extra, this.still);
+      this.stage && views, this.stage && this.legend(compact), this.scale, this.extra, this.still);
     if (!this.stage) return;
     const { stage } = this;
     let shaped = false;
@@ -73,14 +82,16 @@ export class ScenePanel {
 
   show(time: number): void {
     this.stage?.show(time);
+    this.time = time;
+    this.showScale();
     if (this.version === this.recording.version) return;
     this.version = this.recording.version;
     // Layers without data get no toggle.
     const { rounds, observedBefore } = this.recording;
     const has: Record<keyof Layers, boolean> = {
-      believed: rounds.some(({ plan }) => plan.particles.length > 0),
-      estimated: rounds.some(({ interpreted }) => interpreted !== null),
-      actual: rounds.some(({ truth }) => truth?.particles != null),
+      believed: rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0)),
+      estimated: rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null),
+      actual: rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null),
       seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
       path: rounds.some(({ count }) => count > 0),
       strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
@@ -90,9 +101,33 @@ export class ScenePanel {
       collision: this.recording.head?.robot?.links.some(({ collision }) => collision?.length) ?? false,
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
+    const treated = rounds.find(isTreated);
+    if (this.stage && treated && !this.treats) this.nameMaps(treated);
     for (const [name, box] of this.boxes) box.hidden = !has[name];
     const layers = this.element.querySelector<HTMLElement>(".w-layers");
     if (layers) layers.hidden = !Object.values(has).some(Boolean);
+  }
+
+  /** Shows the scale of the current map, and whether the map is predicted, estimated or true. */
+  private showScale(): void {
+    const round = this.stage && this.recording.roundAt(this.time);
+    const map = round && mapAt(this.recording, this.time, round, this.stage!.layers);
+    this.scale.hidden = !map;
+    if (!map) return;
+    say(this.mapTitle, map.title);
+    if (this.scaleOf === map.record) return;
+    this.scaleOf = map.record;
+    this.scale.replaceChildren(this.mapTitle, makeScale(map.record));
+  }
+
+  /** Names the layers of dirt as maps of a treated surface. Only one map is shown at a time: the true one on request. */
+  private nameMaps(round: Round): void {
+    this.treats = true;
+    const quantity = quantityOf(round);
+    const names = { believed: `Predicted ${quantity}`, estimated: `Estimated ${quantity} after the round`, actual: `True ${quantity} after the round` };
+    for (const [name, text] of Object.entries(names)) this.boxes.get(name as keyof typeof names)?.querySelector("label")!.replaceChildren(mark("map"), text);
+    this.stage!.layers.actual = false;
+    this.boxes.get("actual")!.querySelector("input")!.checked = false;
   }
 
   look(at: Look): void {
@@ -128,6 +163,7 @@ export class ScenePanel {
         if (!this.stage) return;
         this.stage.layers[name] = box.checked;
         this.stage.ask();
+        this.showScale();
       } });
       const item = el("li", {}, box, el("label", { for: id }, mark(name), NAMES[name]));
       this.boxes.set(name, item);

@@ -13,6 +13,7 @@ import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments } from "./lines.ts";
+import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
 import { Axes, Path, Trajectories, hexOr } from "./path.ts";
@@ -25,6 +26,7 @@ import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
 import type { Instant, Recording } from "../store.ts";
+import { mapAt } from "../treated.ts";
 
 export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
 export const LAYERS: Layers = {
@@ -78,6 +80,7 @@ export class Stage {
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
+  private readonly map = new SurfaceMap();
   private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
@@ -113,7 +116,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
-    this.scene.add(this.dirt.group, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -289,6 +292,7 @@ export class Stage {
     this.path!.show(time, this.layers.path);
     this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.dirt.show(this.recording, this.time, instant, this.layers);
+    this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
