@@ -40,14 +40,16 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
     pen.roundRect(from + 0.5, lane.top, Math.max(1, to - from - 1), lane.height, 4);
     pen.fill();
     pen.fillStyle = colour("ink");
-    drawFitted(pen, roundTitle(round), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
+    drawFitted(pen, roundTitle(round, recording), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
     if (round.start > frame.from) drawLine(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
   }
 }
 
-export const roundTitle = (round: Round): string => {
-  const ended = round.interpreted ? round.interpreted.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
-  return `${round.number} \u00b7 ${ended}`;
+/** Returns number and result of a round: of the last one, how the run ended. */
+const roundTitle = (round: Round, { rounds, ended }: Recording): string => {
+  const badge = round === rounds.at(-1) ? ended?.badge : null;
+  const result = round.interpreted ? badge ?? round.interpreted.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
+  return `${round.number} \u00b7 ${result}`;
 };
 
 export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
