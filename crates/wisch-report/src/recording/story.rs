@@ -203,7 +203,7 @@ fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
         .sum::<Option<f64>>();
     let done = format!(" of the surface points have {}", band.describe_done());
     Some(match above {
-        Some(share) => format!("{done}, {} more than the limit", percent(share)),
+        Some(share) => format!("{done}, {} have {}", percent(share), band.describe_excess()),
         None => done,
     })
 }

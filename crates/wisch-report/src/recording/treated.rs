@@ -112,6 +112,12 @@ impl Band {
         }
     }
 
+    /// Describes what a place has above the band.
+    pub(super) fn describe_excess(&self) -> String {
+        let digits = usize::from(self.unit != "passes" && self.high < 10.0);
+        format!("more than {} {}", metres(self.high, digits), self.unit)
+    }
+
     /// Returns the value of a number of passes, in steps.
     fn steps(&self, passes: f64) -> i64 {
         (passes * self.per_pass / self.step).round() as i64
@@ -261,6 +267,7 @@ mod tests {
         let mut task = polished();
         let band = Band::new(&task).expect("it is polished");
         assert_eq!(band.describe(), "2 to 4 passes");
+        assert_eq!(band.describe_excess(), "more than 4 passes");
         assert_eq!(
             band.describe_target(0.97, "1200"),
             "at least 2 passes on 97.0 % of 1200 surface points, and more than 4 passes on at most 3.0 %"

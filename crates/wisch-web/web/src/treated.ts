@@ -75,13 +75,13 @@ export function binsOf({ unit, low, high, target }: TreatmentRecord): Bin[] {
   const above = whole ? high + 1 : high;
   const starts: Record<Degree, number[]> = {
     little: divide(0, low, MOST_BINS.little, whole),
-    allowed: whole ? divide(low, above, MOST_BINS.allowed, true) : [low, target],
+    allowed: divide(low, above, MOST_BINS.allowed, whole),
     much: [above, whole ? above + Math.max(1, high - low) : high + 2 * (high - target)],
   };
   // Few bins use the whole range of shades.
   const shade = (i: number, count: number, most: number): number => 1 + Math.round((i * (most - 1)) / Math.max(1, count - 1));
   const all = (Object.keys(starts) as Degree[]).flatMap((degree) => starts[degree].map((from, i, { length }) => ({ degree, from, colour: `${degree}-${shade(i, length, MOST_BINS[degree])}` })));
-  const text = (value: number): string => String(Number(value.toPrecision(3)));
+  const text = (value: number): string => (whole ? String(value) : String(Number(value.toPrecision(value < 100 ? 2 : 3))));
   return all.map((bin, i) => {
     const next = all[i + 1]?.from;
     const last = next === undefined ? null : whole ? next - 1 : next;

@@ -35,7 +35,7 @@ test("passes are binned as whole numbers, and the band includes its ends", () =>
 test("a coat is binned by its thickness", () => {
   const coat = { ...treatment, unit: "\u00b5m", target: 100, low: 80, high: 120, step: 0.5 };
   const bins = binsOf(coat);
-  assert.deepEqual(bins.map(({ label }) => label), ["0\u201320", "20\u201340", "40\u201360", "60\u201380", "80\u2013100", "100\u2013120", "120\u2013160", "\u2265 160"]);
+  assert.deepEqual(bins.map(({ label }) => label), ["0\u201320", "20\u201340", "40\u201360", "60\u201380", "80\u201393", "93\u2013107", "107\u2013120", "120\u2013160", "\u2265 160"]);
   const degree = (value) => bins[binOf(bins, coat, value)].degree;
   assert.deepEqual([0, 79.9, 160 * 0.5, 240 * 0.5, 120.5].map(degree), ["little", "little", "allowed", "allowed", "much"]);
 });
