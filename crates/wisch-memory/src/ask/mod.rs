@@ -24,7 +24,7 @@ mod term;
 mod trends;
 
 pub use assertions::Assertions;
-pub use engine::{AskLimits, EngineCommand};
+pub use engine::{AskLimits, EngineCommand, command_ended_with_parent};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};
 pub use place::{ErrorPlace, locate_fault};
