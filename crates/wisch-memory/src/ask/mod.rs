@@ -22,6 +22,7 @@ mod streams;
 mod telemetry_predicates;
 mod term;
 mod trends;
+mod units;
 
 pub use assertions::Assertions;
 pub use engine::{AskLimits, EngineCommand, command_ended_with_parent};
@@ -31,6 +32,7 @@ pub use place::{ErrorPlace, locate_fault};
 pub use telemetry_predicates::TelemetryPredicates;
 pub(crate) use telemetry_predicates::tool_of;
 pub use term::{Term, TermError};
+pub(crate) use units::units_of;
 
 use crate::catalogue::Catalogue;
 use crate::store::Memory;

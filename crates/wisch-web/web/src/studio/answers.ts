@@ -84,7 +84,7 @@ function makeCell(answers: Answers, value: Cell, unit: string | null): HTMLEleme
   if (typeof value === "number") {
     const isTime = !unit && value >= TIME_FROM && value < TIME_TO;
     const [, factor] = SHOWN[unit ?? ""] ?? ["", 1];
-    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) && !unit ? String(value) : String(Number((factor * value).toPrecision(unit ? 3 : 5)));
+    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) && !unit ? String(value) : unit === "share" ? fixed(factor * value, 1) : String(Number((factor * value).toPrecision(unit ? 3 : 5)));
     return el("td", { class: "s-number", title: `${value}${unit && unit !== "share" ? ` ${unit}` : ""}` }, text.replace("-", "\u2212"));
   }
   if (value === null) return el("td", { class: "w-quiet" }, "_");
