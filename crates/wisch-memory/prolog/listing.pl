@@ -89,7 +89,7 @@ predicate(protective_stop, 3, 'protective_stop(Stop, Time, Round): the robot mad
 predicate(contact_share, 2, 'contact_share(Round, Share): time in contact divided by time near the surface').
 predicate(poor_contact, 2, 'poor_contact(Round, Share): rounds with less than 80 % of the time in contact').
 predicate(contact_loss_near_edge, 2, 'contact_loss_near_edge(Loss, D): contact losses within 3 cm of an edge').
-predicate(mean_force_per_stroke, 2, 'mean_force_per_stroke(Stroke, F): mean normal force [N] of each stroke, negative where the tool presses').
+predicate(mean_force_per_stroke, 2, 'mean_force_per_stroke(Stroke, F): mean force [N] with which the tool pressed during each stroke').
 predicate(weak_stroke, 2, 'weak_stroke(Stroke, F): strokes with a mean force below 8 N').
 predicate(stroke_without_contact, 1, 'stroke_without_contact(Stroke): strokes without contact').
 predicate(longest_contact, 3, 'longest_contact(Episode, C, Seconds): the longest contact of an episode').

@@ -111,9 +111,12 @@ contact_loss_near_edge(Loss, Distance) :-
     value_of(Loss, 'semco:edgeDistance', Distance),
     Distance =< 0.03.
 
-mean_force_per_stroke(Stroke, Force) :- of_class(Stroke, 'semco:Stroke'), value_of(Stroke, 'semco:meanNormalForce', Force).
+mean_force_per_stroke(Stroke, Force) :-
+    of_class(Stroke, 'semco:Stroke'),
+    value_of(Stroke, 'semco:meanNormalForce', Outward),
+    Force is -Outward.
 
-weak_stroke(Stroke, Force) :- mean_force_per_stroke(Stroke, Force), Force > -8.0.
+weak_stroke(Stroke, Force) :- mean_force_per_stroke(Stroke, Force), Force < 8.0.
 
 stroke_without_contact(Stroke) :-
     of_class(Stroke, 'semco:Stroke'),

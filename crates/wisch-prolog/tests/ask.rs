@@ -180,7 +180,7 @@ const BY_HAND: &[(&str, &[&str])] = &[
         "contact_loss_near_edge(L, D)",
         &["semco:'ContactLoss_e2-7' 0.02"],
     ),
-    ("mean_force_per_stroke('Stroke_e0-5', F)", &["-9.6"]),
+    ("mean_force_per_stroke('Stroke_e0-5', F)", &["9.6"]),
     ("weak_stroke(S, _F)", &["semco:'Stroke_e5-5'"]),
     ("stroke_without_contact(S)", &["semco:'Stroke_e5-7'"]),
     (

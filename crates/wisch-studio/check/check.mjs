@@ -112,6 +112,9 @@ try {
   const named = await page.locator(".w-named li").allTextContents();
   assert.ok(named.some((name) => name.startsWith("sponge")) && named.some((name) => name.startsWith("robot at")), named.join("; "));
   assert.match(page.url(), /q=owl_individual_of/);
+  await page.waitForFunction((count) => window.wisch.stage.shown[0].view.ghosts === count, named.filter((name) => name.startsWith("robot at")).length);
+  const middle = await page.locator(".w-named li", { hasText: "robot at" }).first().textContent();
+  assert.ok(Math.abs((await clock(page)) - Number.parseFloat(middle.slice("robot at ".length))) < 0.06, `the clock is at ${await clock(page)}, not at M: ${middle}`);
   await shoot(page, "05-asked");
   await page.locator(".s-show").first().click();
   await shoot(page, "06-one-answer");
@@ -138,6 +141,12 @@ try {
   assert.equal(await page.inputValue(".s-query"), "owl_individual_of(C, semco:'HumanCollision')");
   await page.press(".s-query", "Enter");
   await page.waitForSelector(".s-table tbody tr");
+
+  step("strokes have their numbers on the timeline, and forces their unit");
+  await page.fill(".s-query", "mean_force_per_stroke(Stroke, F)");
+  await page.press(".s-query", "Enter");
+  await page.waitForSelector("text=F [N]");
+  assert.match(await page.locator(".s-table tbody tr").first().textContent(), /round 1, stroke 1\d+(\.\d+)?[a-z]/);
 
   step("a chart is drawn");
   await example(page, 5);
@@ -178,6 +187,9 @@ try {
   const times = await page.evaluate(() => window.wisch.stage.shown.map(({ view }) => view.clock.time));
   assert.deepEqual(times, [8, 8]);
   await page.waitForFunction(() => /^#compare=.*t=8\.0$/.test(location.hash), null, { timeout: 5000 });
+  await page.waitForSelector('[data-curve="force-B"]', { state: "attached" });
+  const differing = await page.locator('.s-compare tr[data-differs="true"] th').allTextContents();
+  assert.ok(differing.includes("Events"), differing.join());
   await shoot(page, "11-compare");
 
   step("a run is stopped");

@@ -235,7 +235,7 @@ fn answer(open: &mut Open, library: &Library, question: &Question) -> Result<Val
     let view = gather(&answers.views, &answers.rows, library.memory(), catalogue);
     let view = view.map_err(|error| error.to_string());
     let view = view.as_ref().map_err(String::as_str);
-    Ok(answers_json(&answers, view, catalogue))
+    Ok(answers_json(&question.query, &answers, view, catalogue))
 }
 
 fn fault_json(error: &AskError, query: &str) -> Value {

@@ -13,6 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tokio::process::{Child, Command};
+use wisch_memory::ask::command_ended_with_parent;
 
 /// Largest number of simultaneous runs that the studio starts.
 const MOST_RUNS: usize = 4;
@@ -22,6 +23,8 @@ const BEGINNING: Duration = Duration::from_secs(20);
 const CHECK_INTERVAL: Duration = Duration::from_millis(25);
 /// Longest time until a run ends after a request.
 const ENDING: Duration = Duration::from_secs(15);
+/// Longest time until a run ends after a second request, which ends it at once.
+const ENDING_AT_ONCE: Duration = Duration::from_secs(2);
 /// Size of the end of a run's standard error that is kept [bytes].
 const MESSAGE_BYTES: u64 = 4096;
 
@@ -81,7 +84,8 @@ impl Runs {
         }
         let out = TempDir::with_prefix("wisch-studio-").map_err(Refusal::failed)?;
         let errors = tempfile::tempfile().map_err(Refusal::failed)?;
-        let mut command = Command::new(&self.wisch);
+        // The threads of the runtime live as long as the studio: if it is killed, its runs stop too.
+        let mut command = Command::from(command_ended_with_parent(&self.wisch, "TERM"));
         command.args(["run", "--live", "--quiet", "--color", "never", "--memory"]);
         command.arg(&self.memory).arg("--out");
         command.arg(out.path().join("run"));
@@ -162,15 +166,17 @@ impl Runs {
         self.state().last_words.get(id).cloned()
     }
 
-    /// Asks all runs of the studio to stop, and waits until they have.
+    /// Asks all runs of the studio to stop, and waits until they have. A run that is asked again ends at once.
     pub async fn stop_all(&self) {
-        let pids: Vec<u32> = self.state().children.keys().copied().collect();
-        for pid in pids {
-            let _ = process::terminate(pid);
-        }
-        let deadline = Instant::now() + ENDING;
-        while !self.state().children.is_empty() && Instant::now() < deadline {
-            tokio::time::sleep(CHECK_INTERVAL).await;
+        for patience in [ENDING, ENDING_AT_ONCE] {
+            let pids: Vec<u32> = self.state().children.keys().copied().collect();
+            for pid in pids {
+                let _ = process::terminate(pid);
+            }
+            let deadline = Instant::now() + patience;
+            while !self.state().children.is_empty() && Instant::now() < deadline {
+                tokio::time::sleep(CHECK_INTERVAL).await;
+            }
         }
     }
 

@@ -11,6 +11,7 @@ use std::net::TcpStream;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::time::Duration;
 use tempfile::TempDir;
 use wisch_memory::Memory;
 
@@ -29,20 +30,26 @@ struct Program {
 impl Program {
     /// Starts the program on an empty memory; `xdg-open` logs its arguments.
     fn begin(options: &[&str]) -> Self {
+        Self::begin_with(options, "/nowhere/wisch")
+    }
+
+    /// The same, with a program that runs tasks.
+    fn begin_with(options: &[&str], wisch: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path();
         fs::create_dir(path.join("bin")).unwrap();
         let opened = path.join("opened").display().to_string();
         let text = format!("#!/bin/sh\necho \"$@\" >{opened}.new && mv {opened}.new {opened}\n");
         script(&path.join("bin/xdg-open"), &text);
-        fs::write(path.join("scenarios.json"), "[]").unwrap();
+        let shipped = r#"[{"name":"board","about":""}]"#;
+        fs::write(path.join("scenarios.json"), shipped).unwrap();
         let mut program = Command::new(env!("CARGO_BIN_EXE_wisch-studio"));
         program
             .args(options)
             .arg("--memory")
             .arg(path.join("episodes"));
         program
-            .args(["--wisch", "/nowhere/wisch", "--scenarios"])
+            .args(["--wisch", wisch, "--scenarios"])
             .arg(path.join("scenarios.json"));
         let found = format!("{}/bin:{}", path.display(), std::env::var("PATH").unwrap());
         program.env("PATH", found).stdout(Stdio::piped());
@@ -108,6 +115,42 @@ fn signals_end_the_program_in_order() {
         let _follower = Events::open(&program.address, &path, &[]);
         assert_eq!(program.end(signal), Some(0), "{signal:?}");
         assert!(TcpStream::connect(&program.address).is_err());
+    }
+}
+
+/// Imitates a run that needs two termination signals, and notes its process in a file beside it.
+const STUBBORN: &str = r#"#!/bin/bash
+while [ $# -gt 0 ]; do [ "$1" = --memory ] && memory=$2; shift; done
+trap 'trap "touch \"$0.ended\"; exit 130" TERM' TERM
+mkdir -p "$memory/.live"
+echo '{"piece":"head"}' > "$memory/.live/20261124-010000-0001.jsonl"
+echo '{"pid":'$$',"task":"board"}' > "$memory/.live/20261124-010000-0001.json"
+echo $$ > "$0.new" && mv "$0.new" "$0.pid"
+while :; do sleep 0.02; done
+"#;
+
+#[test]
+fn no_run_outlives_the_studio() {
+    for signal in [Signal::TERM, Signal::KILL] {
+        let place = tempfile::tempdir().unwrap();
+        let wisch = place.path().join("wisch");
+        script(&wisch, STUBBORN);
+        let mut program = Program::begin_with(&[], wisch.to_str().unwrap());
+        let path = format!("{}api/runs", program.base);
+        let head = [("Content-Type", "application/json")];
+        let order = r#"{"task":"board"}"#;
+        let begun = send(&program.address, "POST", &path, &head, order);
+        assert_eq!(begun.status, 201, "{}", begun.text());
+        let run = fs::read_to_string(place.path().join("wisch.pid")).unwrap();
+        let run = Pid::from_raw(run.trim().parse().unwrap()).unwrap();
+        program.end(signal);
+        if signal == Signal::KILL {
+            // The kernel has asked once. Without that, this request would be the first, and the run would go on.
+            std::thread::sleep(Duration::from_millis(500));
+            kill_process(run, Signal::TERM).unwrap();
+        }
+        let ended = place.path().join("wisch.ended");
+        wait_until("the run ends", || ended.is_file());
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn draw(
         Failure::new(error).with_help("wisch ask --list describes the predicates that draw")
     })?;
     let recordings = recordings(&mut view, memory);
-    let answers = answers_json(answers, Ok(&view), catalogue).to_string();
+    let answers = answers_json(query, answers, Ok(&view), catalogue).to_string();
     let page = answers_page(query, &answers, &recordings);
     let written = file.finish(page.as_bytes());
     written.map_err(|error| Failure::from(error).with_help(OTHER_FILE))?;

@@ -113,7 +113,7 @@ impl EngineCommand {
                 process
             }
             Self::Swi(program) => {
-                let mut process = command_ended_with_parent(program);
+                let mut process = command_ended_with_parent(program, "KILL");
                 process
                     .arg(format!("--stack-limit={}", limits.memory))
                     .args(["-q", "-f", "none", "-g", "main", "-t", "halt"])
@@ -149,16 +149,16 @@ impl EngineCommand {
     }
 }
 
-/// Returns a command that the kernel ends together with the thread that started it; without util-linux's `setpriv`, a
-/// plain command.
-fn command_ended_with_parent(program: &Path) -> Command {
-    const END_WITH_PARENT: [&str; 2] = ["--pdeathsig", "KILL"];
+/// Returns a command to which the kernel sends a signal, such as "TERM", when the thread that started it ends; without
+/// util-linux's `setpriv`, a plain command.
+pub fn command_ended_with_parent(program: &Path, signal: &str) -> Command {
+    const SIGNAL: &str = "--pdeathsig";
     static SETPRIV: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let setpriv = find("setpriv", search_path()).filter(|_| cfg!(target_os = "linux"))?;
         // Other systems' `setpriv` lacks this option.
         let mut tried = Command::new(&setpriv);
         tried
-            .args(END_WITH_PARENT)
+            .args([SIGNAL, "KILL"])
             .arg(&setpriv)
             .arg("--version")
             .stdin(Stdio::null())
@@ -170,7 +170,7 @@ fn command_ended_with_parent(program: &Path) -> Command {
     match &*SETPRIV {
         Some(setpriv) => {
             let mut process = Command::new(setpriv);
-            process.args(END_WITH_PARENT).arg(program);
+            process.args([SIGNAL, signal]).arg(program);
             process
         }
         None => Command::new(program),

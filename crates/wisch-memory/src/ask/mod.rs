@@ -22,15 +22,17 @@ mod streams;
 mod telemetry_predicates;
 mod term;
 mod trends;
+mod units;
 
 pub use assertions::Assertions;
-pub use engine::{AskLimits, EngineCommand};
+pub use engine::{AskLimits, EngineCommand, command_ended_with_parent};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};
 pub use place::{ErrorPlace, locate_fault};
 pub use telemetry_predicates::TelemetryPredicates;
 pub(crate) use telemetry_predicates::tool_of;
 pub use term::{Term, TermError};
+pub(crate) use units::units_of;
 
 use crate::catalogue::Catalogue;
 use crate::store::Memory;

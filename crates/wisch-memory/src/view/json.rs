@@ -1,10 +1,11 @@
 //! Answers of a query with the data that it shows, as JSON for the page of `wisch-web`.
 
+use super::titles::titles;
 use super::{
     Colour, DirtState, Emphasis, Figure, Plot, PlotData, ShownBody, ShownDirt, ShownEpisode, Track,
     View,
 };
-use crate::ask::{Answers, Term};
+use crate::ask::{Answers, Term, units_of};
 use crate::catalogue::Catalogue;
 use serde_json::{Value, json};
 use wisch::geometry::flatten_pose;
@@ -14,8 +15,14 @@ const PLACES: i32 = 4;
 
 /// Returns answers as the page of `wisch-web` expects them; times in seconds since 1970, lengths in metres in the world.
 ///
-/// `view`: the data that the query shows, or the reason why the scene cannot show it.
-pub fn answers_json(answers: &Answers, view: Result<&View, &str>, catalogue: &Catalogue) -> Value {
+/// `query`: its text, from which the units of the answers follow. `view`: the data that the query shows, or the reason
+/// why the scene cannot show it.
+pub fn answers_json(
+    query: &str,
+    answers: &Answers,
+    view: Result<&View, &str>,
+    catalogue: &Catalogue,
+) -> Value {
     let rows = answers.rows.iter();
     let rows = rows.map(|row| row.iter().map(Term::to_json).collect::<Vec<_>>());
     let mut remarks = answers.remarks.clone();
@@ -25,6 +32,8 @@ pub fn answers_json(answers: &Answers, view: Result<&View, &str>, catalogue: &Ca
     }
     json!({
         "columns": answers.names,
+        "units": units_of(query, &answers.names),
+        "names": titles(answers, view.ok(), catalogue),
         "rows": rows.collect::<Vec<_>>(),
         "about": about(answers, catalogue),
         "holds": answers.holds(),
@@ -40,8 +49,11 @@ fn about(answers: &Answers, catalogue: &Catalogue) -> Vec<Vec<Value>> {
     let named = |term: &Term| {
         let id = catalogue.find(term.as_atom()?.strip_prefix("semco:")?)?;
         let class = catalogue.class(id);
+        let episode = catalogue.episode_of(id);
         Some(json!({
-            "episode": catalogue.episode_of(id).id,
+            "episode": episode.id,
+            "task": episode.task,
+            "begun": episode.interval[0],
             "class": class.strip_prefix("semco:").unwrap_or(class),
             "interval": catalogue.interval(id),
         }))

@@ -10,6 +10,7 @@ mod plot;
 mod posed;
 #[cfg(test)]
 mod tests;
+mod titles;
 
 pub use colour::Colour;
 pub use command::{Emphasis, ViewCommand, ViewRequest, ViewSubject, ViewTime};

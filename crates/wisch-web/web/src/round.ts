@@ -172,7 +172,8 @@ export class Round {
     const isHigh = (i: number) => height.data[i]! > HIGH_M;
     const strength = (i: number) => Math.hypot(this.force.data[3 * i]!, this.force.data[3 * i + 1]!, this.force.data[3 * i + 2]!);
     const highPushes = this.intervals((i) => isHigh(i) && strength(i) > least);
-    const pressed = known?.filter(([start, end]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest);
+    const isExact = Boolean(interpreted?.incidents);
+    const pressed = isExact ? known : known?.filter(([start, end]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest);
     return { contact: pressed ?? this.intervals((i) => !isHigh(i) && normal.data[i]! > least), pushed: mergeIntervals([...detected, ...highPushes]) };
   }
 

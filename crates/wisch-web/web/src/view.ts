@@ -5,6 +5,7 @@ import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
 import { askedColour } from "./scene/asked.ts";
+import type { Camera } from "./scene/camera.ts";
 import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
 import { hexOr, safeColour } from "./scene/path.ts";
@@ -46,8 +47,10 @@ export interface View {
   clearShown(): void;
   /** Number of drawn frames of the scene. */
   readonly frames: number;
-  /** Position of the camera [m]; null without 3-D graphics. */
-  readonly eye: [number, number, number] | null;
+  /** Number of drawn ghosts. */
+  readonly ghosts: number;
+  /** The camera of the scene; null without one. */
+  readonly camera: Camera | null;
   destroy(): void;
 }
 
@@ -135,7 +138,8 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       highlight([]);
     },
     get frames() { return panel.stage?.drawn ?? 0; },
-    get eye() { return panel.stage?.camera.lens.position.toArray() ?? null; },
+    get ghosts() { return panel.stage?.ghostCount ?? 0; },
+    camera: panel.stage?.camera ?? null,
     destroy: () => {
       frames.drop(show);
       texts.stop();

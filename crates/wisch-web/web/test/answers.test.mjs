@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Recording } from "../src/store.ts";
-import { shownOf } from "../src/studio/shown.ts";
+import { apply, episodeTitle, shownOf, titleOf } from "../src/studio/shown.ts";
 import { lines, sample } from "./sample.mjs";
 
 globalThis.document ??= { documentElement: {} };
@@ -13,7 +13,7 @@ const POSE = [0, 0, 0.7, 0, 0, 0, 1];
 const BEGIN = 1000;
 
 const answers = (view) => ({
-  columns: [], rows: [[]], about: [[]], holds: true, more: false, printed: "", remarks: [],
+  columns: [], units: [], names: {}, rows: [[]], about: [[]], holds: true, more: false, printed: "", remarks: [],
   view: { episodes: [{ id: ID, task: "board", interval: [BEGIN, BEGIN + 10], rounds: [BEGIN], shown: [] }], tracks: [], bodies: [], particles: [], plots: [], left_out: 0, ...view },
 });
 const body = (kind, time, more = {}) => ({ thing: `semco:${kind}`, kind, episode: ID, round: 1, time: BEGIN + time, pose: POSE, strong: false, colour: null, ...more });
@@ -33,6 +33,32 @@ test("a trajectory keeps the samples that the query asked for", () => {
   const track = { thing: "semco:sponge", episode: ID, round: 1, interval: [BEGIN + 1, BEGIN + 2], path: [[0, 0, 0], [1, 0, 0]], samples: [[BEGIN + 1.5, 0.5, 0, 0]], strong: false, colour: null };
   const { trajectories } = shownOf(answers({ tracks: [track] }), null, ID, recording);
   assert.deepEqual(trajectories, [{ name: "sponge 1.0 s to 2.0 s", points: [[0, 0, 0], [1, 0, 0]], samples: [[0.5, 0, 0]] }]);
+});
+
+/** Returns the time to which a view seeks when it shows an answer. */
+function soughtTime(shown) {
+  let sought = null;
+  const view = new Proxy({}, { get: (_, name) => (name === "seek" ? (time) => { sought = time; } : () => {}) });
+  apply(view, shown);
+  return sought;
+}
+
+test("the clock goes to the queried pose, or else to the start of the queried interval", () => {
+  const recording = Recording.parse(lines(sample()));
+  const collision = { episode: ID, class: "HumanCollision", interval: [BEGIN + 2, BEGIN + 4] };
+  const asked = (view) => ({ ...answers(view), about: [[collision]] });
+  const posed = shownOf(asked({ bodies: [body("robot", 3)] }), null, ID, recording);
+  assert.deepEqual(posed.intervals, [{ start: 2, end: 4, label: "human collision" }]);
+  assert.equal(soughtTime(posed), 3);
+  assert.equal(soughtTime(shownOf(asked({}), null, ID, recording)), 2);
+});
+
+test("individuals have the titles of the timeline", () => {
+  const names = { "semco:Stroke_20261122-010000-abcd-10": "round 1, stroke 3" };
+  assert.equal(titleOf({ names }, "semco:Stroke_20261122-010000-abcd-10"), "round 1, stroke 3");
+  assert.equal(titleOf({ names }, "semco:Stroke_20261122-010000-abcd-12"), "Stroke 12");
+  assert.equal(titleOf({ names }, "semco:sponge"), "sponge");
+  assert.match(episodeTitle({ task: "board", begun: 1795777372 }), /^board, 27 Nov, \d\d:\d\d$/);
 });
 
 test("a logged round has events and contacts without a result", () => {

@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open } from "./chromium.mjs";
-import { answersPage, reportPage } from "./page.mjs";
+import { answersPage, reportPage, studioPage } from "./page.mjs";
 import { hour, lines, polished, sample } from "./sample.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "wisch-web-"));
@@ -352,7 +352,7 @@ const cases = {
       const { page, complaints, picture } = await show(`camera-${reducedMotion}`, whole, { reducedMotion });
       await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
       await page.waitForFunction(() => window.firstFrame);
-      const eye = () => page.evaluate(() => wisch.view.eye);
+      const eye = () => page.evaluate(() => wisch.view.camera.lens.position.toArray());
       /** Waits until the camera rests; returns how far it is from the middle of the surface, and the number of its places on the way. */
       const rest = async () => {
         const places = [await eye()];
@@ -446,9 +446,9 @@ const cases = {
   async "answers are shown in the recordings of their episodes"() {
     const id = "20261122-010000-abcd";
     const body = { thing: "semco:robot", kind: "robot", episode: id, round: 1, time: 1002, pose: [0, 0, 0, 0, 0, 0, 1], strong: false, colour: null };
-    const mention = { episode: id, class: "Stroke", interval: [1001, 1003] };
+    const mention = { episode: id, task: "board", begun: 1000, class: "Stroke", interval: [1001, 1003] };
     const answers = {
-      columns: ["S"], rows: [["semco:Stroke_1"], ["semco:Stroke_2"]], about: [[mention], [{ ...mention, episode: "20261123-010000-abcd" }]], holds: true, more: false,
+      columns: ["S"], units: [null], names: { "semco:Stroke_1": "round 1, stroke 1" }, rows: [["semco:Stroke_1"], ["semco:Stroke_2"]], about: [[mention], [{ ...mention, episode: "20261123-010000-abcd" }]], holds: true, more: false,
       printed: "", remarks: ["</script>"],
       view: {
         episodes: [{ id, task: "board", interval: [1000, 1020], rounds: [1000, 1017], shown: [] }], tracks: [], particles: [], left_out: 2,
@@ -505,6 +505,66 @@ const cases = {
     assert.equal(await old.page.locator(".w-scene-scale").isVisible(), false);
     assert.deepEqual(old.complaints, []);
     await old.page.close();
+  },
+
+  async "the studio compares two runs, and shows the robot of a query about another run"() {
+    const [first, second] = ["20261122-010000-abcd", "20261123-010000-abcd"];
+    const recordings = {
+      [first]: whole,
+      [second]: lines(parts.filter(({ round = 1 }) => round <= 1).map((one) => (one.piece === "head" ? { ...one, task: { ...one.task, tool: "cloth" } } : one))),
+    };
+    const listed = (id) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", collisions: 0, has_recording: true });
+    const overview = { memory: "m", list: { episodes: [first, second].map(listed), total: 2, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } };
+    const shown = { episode: first, round: 1, strong: false, colour: null };
+    const answers = {
+      columns: ["M"], units: [null], names: {}, rows: [[1003]], about: [[{ episode: first, task: "board", begun: 1000, class: "HumanCollision", interval: [1002, 1004] }]], holds: true, more: false, printed: "", remarks: [],
+      view: {
+        episodes: [{ id: first, task: "board", interval: [1000, 1020], rounds: [1000, 1017], shown: [] }], particles: [], plots: [], left_out: 0,
+        tracks: [{ ...shown, thing: "semco:sponge", interval: [1002, 1004], path: [[0, 0, 0.8], [0.1, 0, 0.8]], samples: [] }],
+        bodies: [{ ...shown, thing: "semco:robot", kind: "robot", time: 1003, pose: [0, 0, 0, 0, 0, 0, 1] }],
+      },
+    };
+    const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+    const complaints = [];
+    page.on("pageerror", (error) => complaints.push(error.stack));
+    await page.route("http://studio.invalid/**", (route) => {
+      const path = new URL(route.request().url()).pathname.slice(1);
+      const id = /^api\/episodes\/(.*)\/recording$/.exec(path)?.[1];
+      if (path === "") return route.fulfill({ contentType: "text/html", body: studioPage() });
+      if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
+      if (id) return route.fulfill({ contentType: "application/x-ndjson", body: recordings[id] });
+      const words = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
+      return route.fulfill({ json: path === "api/ask" ? answers : path === "api/vocabulary" ? words : overview });
+    });
+    await page.goto(`http://studio.invalid/#compare=${first},${second}`);
+    await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.frames > 0));
+    await page.evaluate(() => wisch.stage.shown[1].view.seek(3));
+    assert.deepEqual(await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.clock.time)), [3, 3], "one clock");
+    const cameras = () => page.evaluate(() => wisch.stage.shown.map(({ view }) => view.camera.lens.position.toArray().map((v) => v.toFixed(6)).join()));
+    const before = await cameras();
+    await page.locator(".w-canvas").first().press("d");
+    await drawn(page);
+    const after = await cameras();
+    assert.notEqual(after[0], before[0]);
+    assert.equal(after[0], after[1], "the cameras are linked");
+    await page.waitForSelector("[data-curve]");
+    const curves = await page.locator("[data-curve]").evaluateAll((list) => [...new Set(list.map(({ dataset }) => dataset.curve))].sort());
+    assert.deepEqual(curves, ["force-A", "force-B", "predicted-A", "predicted-B"]);
+    const row = await page.locator('.s-compare tr[data-differs="true"]', { hasText: "Tool" }).innerText();
+    assert.match(row, /cloth\s+differs/);
+    if (pictures) await page.screenshot({ path: join(pictures, "compare.png") });
+
+    await page.evaluate((id) => { location.hash = `#episode=${id}`; }, second);
+    await page.waitForFunction((id) => wisch.stage.shown.length === 1 && wisch.stage.shown[0].id === id, second);
+    await page.keyboard.press("/");
+    await page.fill(".s-query", "show(robot, M)");
+    await page.press(".s-query", "Enter");
+    await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.frames > 1, first);
+    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.ghosts), 1, "the robot is drawn");
+    assert.equal(await page.evaluate(() => wisch.stage.time), 3, "the clock is at M");
+    if (pictures) await page.screenshot({ path: join(pictures, "asked.png") });
+    assert.deepEqual(complaints, []);
+    await page.close();
   },
 
   async "a recording of an hour can be dragged through"() {

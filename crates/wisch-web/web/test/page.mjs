@@ -24,6 +24,9 @@ ${data}
 /** Equals `report_page` in src/lib.rs. */
 export const reportPage = (recording) => page("report", `<script type="application/x-ndjson" id="recording">${recording.replaceAll("<", "\\u003c")}</script>`);
 
+/** Equals `studio_page` in src/lib.rs. */
+export const studioPage = () => page("studio", "");
+
 /** Equals `answers_page` in src/lib.rs. `recordings`: JSON lines, by episode. */
 export const answersPage = (query, answers, recordings) => page("answers", [
   `<pre id="query" hidden>${query.replaceAll("<", "&lt;")}</pre>`,

@@ -1,6 +1,7 @@
 // The page of the studio on a minimal document: which requests it sends to its server, and when.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { drawAnswers } from "../src/studio/answers.ts";
 import { startStudio } from "../src/studio/main.ts";
 import { readRecording } from "../src/studio/server.ts";
 import { badge } from "../src/studio/side.ts";
@@ -37,7 +38,7 @@ class Fake extends EventTarget {
 
 const OVERVIEW = { memory: "episodes", list: { episodes: [], total: 0, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } };
 const WORDS = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
-const ANSWERS = { columns: [], rows: [[]], about: [[]], holds: true, more: false, seconds: 0, printed: "", remarks: [], view: null };
+const ANSWERS = { columns: [], units: [], names: {}, rows: [[]], about: [[]], holds: true, more: false, seconds: 0, printed: "", remarks: [], view: null };
 
 /** Opens the page at an address; `asked` collects its queries. */
 async function open(hash) {
@@ -117,4 +118,21 @@ test("an undecidable episode is neither met nor missed", () => {
   assert.equal(state(false, "cannot be told", null), "unknown");
   assert.equal(state(false, "unknowable by touch", 0.9), "unknown");
   assert.equal(state(false, null, null), "none");
+});
+
+test("a table of answers names individuals as the timeline does, with units in its head", async () => {
+  await open("");
+  const mention = { episode: "20261122-010000-abcd", task: "board", begun: 1795777372, class: "Stroke", interval: [0, 1] };
+  const name = "semco:Stroke_20261122-010000-abcd-10";
+  const parts = drawAnswers({
+    ...ANSWERS, columns: ["Stroke", "P", "F", "Tilt", "D", "N", "Slope"], units: [null, "share", "N", "rad", "m", null, "m per episode"],
+    names: { [name]: "round 1, stroke 3" }, rows: [[name, 0.725, 7.456, 0.0349, 0.00699, 3, -0.002]], about: [[mention]], remarks: [],
+  }, { show() {}, clear() {} });
+  const all = parts.flatMap((part) => [...part.all()]);
+  const texts = (width) => all.filter(({ attributes }) => width(attributes)).map(({ textContent }) => textContent);
+  assert.deepEqual(texts((attributes) => attributes.get("scope") === "col"), ["show", "Stroke", "P [%]", "F [N]", "Tilt [\u00b0]", "D [mm]", "N", "Slope [mm per episode]", "Episode"]);
+  assert.deepEqual(texts((attributes) => attributes.get("class") === "s-number"), ["72.5", "7.46", "2", "6.99", "3", "\u22122"]);
+  assert.deepEqual(texts((attributes) => attributes.get("title") === name), ["round 1, stroke 3"]);
+  assert.match(texts((attributes) => attributes.get("title") === mention.episode).join(), /^board, 27 Nov, /);
+  assert.deepEqual(all.filter(({ attributes }) => attributes.get("class") === "s-number").map(({ attributes }) => attributes.get("title")), ["0.725", "7.456 N", "0.0349 rad", "0.00699 m", "3", "-0.002 m per episode"]);
 });

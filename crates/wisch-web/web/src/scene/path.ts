@@ -144,9 +144,12 @@ export class Trajectories {
   show(list: Trajectory[]): void {
     this.clear();
     list.forEach(({ points, samples, color }, i) => {
-      const material = new LineMaterial({ linewidth: 3.5 });
+      // Drawn after the translucent highlight of the same path, and nearer than that path.
+      const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
       material.color.set(safeColour(color, i));
-      this.group.add(segments(chain(points, false), material));
+      const line = segments(chain(points, false), material);
+      line.renderOrder = 6;
+      this.group.add(line);
       if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
   }

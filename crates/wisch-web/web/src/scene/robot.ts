@@ -42,7 +42,7 @@ export interface RobotMaterials {
   coloured(color: Rgba): Material;
 }
 
-export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
+export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
 
 interface Part { geometry: BufferGeometry; pose: Pose; color: Rgba | undefined }
 

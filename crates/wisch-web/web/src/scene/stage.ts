@@ -76,7 +76,7 @@ export class Stage {
   private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
   private highlighted: { from: number; to: number }[] = [];
   private readonly highlights = new Group();
-  private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75 });
+  private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false });
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
@@ -95,6 +95,11 @@ export class Stage {
   private time = 0;
   /** Number of drawn frames, for measurements. */
   drawn = 0;
+
+  /** Number of drawn ghosts, for measurements. */
+  get ghostCount(): number {
+    return this.ghosts.children.length;
+  }
 
   /** `left` is called when the camera stops following because a user moves it. */
   constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {

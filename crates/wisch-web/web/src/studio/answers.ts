@@ -1,8 +1,8 @@
 // The answers of a query: number, table, remarks and diagrams.
 import { el, fixed } from "../dom.ts";
 import { drawPlot } from "./plots.ts";
-import { episodesOf, shorten } from "./shown.ts";
-import type { Answers, Cell } from "./server.ts";
+import { episodeTitle, episodesOf, titleOf } from "./shown.ts";
+import type { Answers, Cell, Mention } from "./server.ts";
 
 /** Maximum number of listed answers. */
 const MOST_ROWS = 200;
@@ -11,6 +11,11 @@ const MOST_NAMED = 8;
 /** A number in this range counts as a time since 1970 [s]: the years 2001 to 2286. */
 const TIME_FROM = 1e9;
 const TIME_TO = 1e10;
+
+/** How a unit of a query is shown: unit of the table and factor. */
+const SHOWN: Record<string, [unit: string, factor: number]> = {
+  share: ["%", 100], rad: ["\u00b0", 180 / Math.PI], m: ["mm", 1000], "m per episode": ["mm per episode", 1000],
+};
 
 export interface AnswerActions {
   /** Shows one answer or all (`row` null), in an episode or in the one with most answers (`episode` null). */
@@ -37,45 +42,61 @@ export function drawAnswers(answers: Answers, actions: AnswerActions): Node[] {
     const episodes = episodesOf(answers, null);
     if (episodes.length > 1) {
       parts.push(el("div", { class: "s-in" }, el("span", { class: "w-quiet" }, "in "), ...episodes.slice(0, MOST_NAMED).map((id) =>
-        el("button", { class: "s-chip", type: "button", click: () => actions.show(answers, null, id) }, id))));
+        el("button", { class: "s-chip", type: "button", title: id, click: () => actions.show(answers, null, id) }, nameEpisode(answers, id)))));
     }
   }
   const leftOut = view?.left_out ?? 0;
   if (leftOut) parts.push(el("p", { class: "w-quiet s-remark" }, `The picture is full: ${leftOut} more queried ${leftOut === 1 ? "object is" : "objects are"} not drawn.`));
   for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
   if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
-  for (const one of view?.plots ?? []) parts.push(drawPlot(one));
+  for (const one of view?.plots ?? []) parts.push(drawPlot(one, (name) => titleOf(answers, name)));
   if (rows.length && columns.length) parts.push(makeTable(answers, actions));
   else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
   if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The table lists the first ${MOST_ROWS} of ${rows.length} answers.`));
   return parts;
 }
 
+const nameEpisode = ({ about }: Answers, id: string): string => {
+  const mention = about.flat().find(({ episode }) => episode === id);
+  return mention ? episodeTitle(mention) : id;
+};
+
 function makeTable(answers: Answers, actions: AnswerActions): HTMLElement {
-  const { rows, columns, about } = answers;
-  const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...columns.map((name) => el("th", { scope: "col" }, name)));
+  const { rows, columns, units, about } = answers;
+  const titles = columns.map((name, i) => (units[i] ? `${name} [${SHOWN[units[i]]?.[0] ?? units[i]}]` : name));
+  const named = about.some((mentions) => mentions.length > 0);
+  const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...titles.map((name) => el("th", { scope: "col" }, name)), named && el("th", { scope: "col" }, "Episode"));
   const body = rows.slice(0, MOST_ROWS).map((row, i) => {
-    const can = about[i]?.length;
+    const mentions = about[i] ?? [];
     return el("tr", {},
-      el("td", {}, can ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => actions.show(answers, i, null) }, "Show") : ""),
-      ...row.map((value) => makeCell(value)));
+      el("td", {}, mentions.length ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => actions.show(answers, i, null) }, "Show") : ""),
+      ...row.map((value, k) => makeCell(answers, value, units[k] ?? null)), named && makeEpisodeCell(mentions));
   });
   return el("div", { class: "s-table", tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
 }
 
-function makeCell(value: Cell): HTMLElement {
+function makeEpisodeCell(mentions: Mention[]): HTMLElement {
+  const titles = new Map(mentions.map((mention) => [mention.episode, episodeTitle(mention)]));
+  return el("td", { title: [...titles.keys()].join(", ") }, [...titles.values()].join("; "));
+}
+
+function makeCell(answers: Answers, value: Cell, unit: string | null): HTMLElement {
   if (typeof value === "number") {
-    const isTime = value >= TIME_FROM && value < TIME_TO;
-    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(5)));
-    return el("td", { class: "s-number", title: String(value) }, text);
+    const isTime = !unit && value >= TIME_FROM && value < TIME_TO;
+    const [, factor] = SHOWN[unit ?? ""] ?? ["", 1];
+    const text = isTime ? formatTimeOfDay(value) : Number.isInteger(value) && !unit ? String(value) : unit === "share" ? fixed(factor * value, 1) : String(Number((factor * value).toPrecision(unit ? 3 : 5)));
+    return el("td", { class: "s-number", title: `${value}${unit && unit !== "share" ? ` ${unit}` : ""}` }, text.replace("-", "\u2212"));
   }
   if (value === null) return el("td", { class: "w-quiet" }, "_");
-  const text = formatCell(value);
+  const text = formatCell(answers, value);
   return el("td", { title: typeof value === "string" ? value : text }, text);
 }
 
-const formatCell = (value: Cell): string =>
-  value === null ? "_" : Array.isArray(value) ? `[${value.map(formatCell).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : shorten(value);
+const formatCell = (answers: Answers, value: Cell): string =>
+  value === null ? "_" : Array.isArray(value) ? `[${value.map((one) => formatCell(answers, one)).join(", ")}]` : typeof value === "number" ? String(Number(value.toPrecision(6))) : titleOf(answers, value);
 
-/** Formats a time since 1970 as the time of day in UTC, as in the names of episodes. */
-const formatTimeOfDay = (time: number): string => new Date(1000 * time).toISOString().slice(11, 23);
+/** Formats a time since 1970 as the local time of day. */
+const formatTimeOfDay = (time: number): string => {
+  const date = new Date(1000 * time);
+  return `${date.toLocaleTimeString("en-GB")}.${String(date.getMilliseconds()).padStart(3, "0")}`;
+};

@@ -1,7 +1,6 @@
 // Diagrams of a query.
 import { el, fixed, svg } from "../dom.ts";
 import { TRAJECTORY_COLOURS } from "../scene/path.ts";
-import { shorten } from "./shown.ts";
 import type { Plot } from "./server.ts";
 
 const WIDTH = 400;
@@ -11,7 +10,10 @@ const ROW = 24;
 /** Width of the labels beside bars. */
 const LABEL = 130;
 
-export function drawPlot(one: Plot): HTMLElement {
+/** Draws a diagram; `titled` returns the title of a name. */
+export function drawPlot(given: Plot, titled: (name: string) => string): HTMLElement {
+  const label = <T>(list: [string, T][] | undefined) => list?.map(([name, value]): [string, T] => [titled(name), value]);
+  const one = { ...given, amounts: label(given.amounts), spans: label(given.spans) };
   const title = one.title || one.id || one.diagram;
   const drawn = one.amounts ? (one.diagram === "piechart" ? drawPie(one.amounts) : drawBars(one.amounts)) : one.spans ? drawSpans(one.spans) : drawPoints(one);
   drawn.setAttribute("role", "img");
@@ -33,7 +35,7 @@ function drawBars(amounts: [string, number][]): SVGSVGElement {
     const y = i * ROW + 4;
     const [from, to] = value < 0 ? [x(value), x(0)] : [x(0), x(value)];
     return [
-      text(LABEL - 6, y + 13, cut(shorten(label), 20), "end"),
+      text(LABEL - 6, y + 13, cut(label, 20), "end"),
       svg("rect", { x: from, y, width: Math.max(1, to - from), height: ROW - 6, rx: 3, fill: "var(--believed)" }, svg("title", {}, `${label}: ${value}`)),
       text(to + 5, y + 13, short(value)),
     ];
@@ -54,7 +56,7 @@ function drawPie(amounts: [string, number][]): SVGSVGElement {
     const shape = isAll
       ? svg("circle", { cx, cy, r, fill })
       : svg("path", { d: `M${cx} ${cy}L${rim(from)}A${r} ${r} 0 ${angle - from > Math.PI ? 1 : 0} 1 ${rim(angle)}Z`, fill, stroke: "var(--paper)" });
-    return [shape, svg("rect", { x: 190, y: i * 20 + 4, width: 12, height: 12, fill }), text(208, i * 20 + 14, `${cut(shorten(label), 20)}: ${short(value)} (${fixed((100 * value) / all, 0)} %)`)];
+    return [shape, svg("rect", { x: 190, y: i * 20 + 4, width: 12, height: 12, fill }), text(208, i * 20 + 14, `${cut(label, 20)}: ${short(value)} (${fixed((100 * value) / all, 0)} %)`)];
   }));
 }
 
@@ -64,12 +66,12 @@ function drawSpans(list: [string, [number, number]][]): SVGSVGElement {
   const x = (time: number) => LABEL + ((WIDTH - LABEL - 10) * (time - from)) / (to - from || 1);
   const height = list.length * ROW + 22;
   return picture(height, ...list.flatMap(([label, [start, end]], i) => [
-    text(LABEL - 6, i * ROW + 17, cut(shorten(label), 20), "end"),
+    text(LABEL - 6, i * ROW + 17, cut(label, 20), "end"),
     svg("rect", { x: x(start), y: i * ROW + 4, width: Math.max(2, x(end) - x(start)), height: ROW - 8, rx: 3, fill: "var(--event)" }, svg("title", {}, `${label}: ${short(end - start)} s`)),
   ]), text(LABEL, height - 4, "0 s"), text(WIDTH - 10, height - 4, `${short(to - from)} s`, "end"));
 }
 
-function drawPoints({ points = [], diagram, x_label, y_label }: Plot): SVGSVGElement {
+function drawPoints({ points = [], diagram, x_label, y_label }: Pick<Plot, "points" | "diagram" | "x_label" | "y_label">): SVGSVGElement {
   const range = (k: 0 | 1): [number, number] => {
     const values = points.map((point) => point[k]);
     const [low, high] = [Math.min(...values), Math.max(...values)];

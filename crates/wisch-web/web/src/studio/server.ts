@@ -65,6 +65,9 @@ export type Cell = string | number | null | Cell[];
 /** An individual of an episode that an answer names. */
 export interface Mention {
   episode: string;
+  /** Task and begin of the episode [s since 1970]. */
+  task: string;
+  begun: number;
   class: string;
   interval: [number, number] | null;
 }
@@ -132,6 +135,10 @@ export interface Seen {
 
 export interface Answers {
   columns: string[];
+  /** Unit of each column, where the query states it; "share" for values from 0 to 1. */
+  units: (string | null)[];
+  /** Titles of named individuals, such as "round 2, stroke 3", by their names with prefix. */
+  names: Record<string, string>;
   rows: Cell[][];
   about: Mention[][];
   holds: boolean;

@@ -42,7 +42,7 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
   const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
   const mentions = mentionsOf(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
   for (const { interval, class: label } of mentions) {
-    if (interval) shown.intervals.push({ start: at(interval[0]), end: at(interval[1]), label });
+    if (interval) shown.intervals.push({ start: at(interval[0]), end: at(interval[1]), label: spaced(label) });
   }
   const belongs = (interval: [number, number]) =>
     row === null || !mentions.length || mentions.some((mention) => mention.interval && overlaps(mention.interval, interval));
@@ -78,6 +78,9 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
 /** Returns the colour that a query gives, or that of highlighted data; empty for the usual colour. */
 const tint = (strong: boolean, colour: string | null): { color?: string } => (colour ? { color: colour } : strong ? { color: named("highlight") } : {});
 
+/** Returns the name of a class as words: "human collision". */
+const spaced = (name: string): string => name.replace(/([a-z])(?=[A-Z])/g, "$1 ").toLowerCase();
+
 /** Returns the mentions of parts of an episode, without duplicates. */
 function mentionsOf(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
   const known = new Set<string>();
@@ -99,7 +102,7 @@ export function clockTime(recording: Recording, begins: number[], time: number):
   return Math.min(round.end, Math.max(round.start, round.start + time - begins[place]!));
 }
 
-/** Shows the data in a view, and seeks to its start. */
+/** Shows the data in a view, and seeks to the first queried time: that of a pose, or else the start of an interval. */
 export function apply(view: View, { trajectories, ghosts, frames, intervals, particles, since }: Shown): void {
   view.clearShown();
   view.showTrajectories(trajectories);
@@ -107,12 +110,16 @@ export function apply(view: View, { trajectories, ghosts, frames, intervals, par
   view.showFrames(frames);
   view.showParticles(particles);
   view.highlight(intervals);
-  const timed = [...intervals.map(({ start }) => start), ...[...ghosts, ...frames].map(({ time }) => time)];
-  const starts = timed.length ? timed : since;
-  if (starts.length) view.seek(Math.min(...starts));
+  const times = [[...ghosts, ...frames].map(({ time }) => time), intervals.map(({ start }) => start), since].find((list) => list.length);
+  if (times) view.seek(Math.min(...times));
 }
 
 export const local = (name: string): string => name.replace(/^[a-z]+:/, "");
 
-/** Shortens a name: an individual keeps its class and number, without the name of its episode. */
-export const shorten = (name: string): string => local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+/** Returns the title of an individual, or else its name without the name of its episode. */
+export const titleOf = ({ names }: Pick<Answers, "names">, name: string): string =>
+  names[name] ?? local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+
+/** Returns task and begin of an episode, in local time. */
+export const episodeTitle = ({ task, begun }: Pick<Mention, "task" | "begun">): string =>
+  `${task}, ${new Date(1000 * begun).toLocaleString("en-GB", { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit" })}`;

@@ -7,6 +7,8 @@ import type { View } from "../view.ts";
 import { goalState } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";
+import { Comparison, makeLetter } from "./compare.ts";
+import { linkCameras } from "./link.ts";
 import { stopRun } from "./server.ts";
 import type { LiveSource } from "./source.ts";
 
@@ -62,7 +64,8 @@ export class Stage {
     this.element.classList.toggle("s-two", compact);
     const shared = compact ? new Clock() : undefined;
     this.clock = shared ?? null;
-    this.panes = sources.map((source) => this.makePane(source, shared));
+    this.panes = sources.map((source, i) => this.makePane(source, shared, i));
+    if (shared) this.compare(shared);
     const clock = this.panes[0]!.view.clock;
     if (time !== null) clock.seek(time);
     let later: ReturnType<typeof setTimeout> | undefined;
@@ -73,9 +76,19 @@ export class Stage {
     }), () => clearTimeout(later));
   }
 
-  private makePane(source: Source, shared: Clock | undefined): Pane {
+  /** Links the views, and shows what differs between their recordings. */
+  private compare(clock: Clock): void {
+    const [first, second] = this.panes;
+    if (!first || !second) return;
+    const comparison = new Comparison([first.recording, second.recording], [first.id, second.id], clock);
+    this.element.append(comparison.element);
+    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { camera }, recording }) => ({ camera, recording }))));
+  }
+
+  private makePane(source: Source, shared: Clock | undefined, i: number): Pane {
     const { recording } = source;
     const head = new Head(source, !shared, this.actions);
+    if (shared) head.element.prepend(makeLetter(i));
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
     const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
