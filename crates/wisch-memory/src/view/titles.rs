@@ -81,3 +81,79 @@ fn round_of(catalogue: &Catalogue, id: IndividualId) -> Option<IndividualId> {
     let mut above = std::iter::successors(Some(id), |&id| catalogue.parent(id));
     above.find(|&id| catalogue.class(id) == ROUND)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::titles;
+    use crate::ask::{Answers, Term};
+    use crate::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
+
+    const ID: &str = "20261122-010000-abcd";
+
+    fn individual(class: &str, parent: Option<usize>, start: f64) -> Individual {
+        Individual {
+            class: format!("semco:{class}"),
+            interval: Some([start, start + 1.0]),
+            parent,
+            relations: [].into(),
+            values: [].into(),
+        }
+    }
+
+    #[test]
+    fn titles_are_those_of_the_timeline() {
+        let mut individuals = vec![
+            individual("WipingEpisode", None, 0.0),
+            individual("WipingAction", Some(0), 0.0),
+            individual("WipingRound", Some(1), 0.0),
+            individual("Approach", Some(2), 0.0),
+            individual("Stroke", Some(2), 1.0),
+            individual("HumanCollision", Some(4), 3.0),
+            individual("HumanCollision", Some(4), 2.0),
+            individual("WipingRound", Some(1), 5.0),
+            individual("HumanCollision", Some(7), 6.0),
+        ];
+        for (place, property, value) in [
+            (2, "semco:round", 1.0),
+            (7, "semco:round", 2.0),
+            (4, "semco:stroke", 2.0),
+        ] {
+            individuals[place].values = [(property.to_owned(), Value::Number(value))].into();
+        }
+        let names: Vec<String> = (individuals.iter().enumerate())
+            .map(|(place, one)| format!("{}_{ID}-{place}", one.class))
+            .collect();
+        let catalogue = Catalogue::from_records(&[EpisodeRecord {
+            schema: EPISODE_SCHEMA,
+            id: ID.to_owned(),
+            task: "board".to_owned(),
+            interval: [0.0, 10.0],
+            origin: Origin::Simulated,
+            program: "test".to_owned(),
+            seed: 1,
+            rounds: vec![0.0, 5.0],
+            individuals,
+        }]);
+        let listed = names.iter().cloned().map(Term::Atom).collect();
+        let answers = Answers {
+            rows: vec![vec![Term::List(listed), Term::atom("semco:sponge")]],
+            ..Answers::default()
+        };
+        let found = titles(&answers, None, &catalogue);
+        let found: Vec<&str> = names.iter().map(|name| &*found[name]).collect();
+        assert_eq!(
+            found,
+            [
+                "wiping episode",
+                "wiping action",
+                "round 1",
+                "round 1, approach",
+                "round 1, stroke 3",
+                "round 1, human collision 2",
+                "round 1, human collision 1",
+                "round 2",
+                "round 2, human collision",
+            ]
+        );
+    }
+}
