@@ -13,7 +13,7 @@ use wisch_io::{
     TRAJECTORY_FILE, particles_to_csv, planned_path_csv, round_file_name, tcp_path_csv,
 };
 use wisch_report::{
-    self as report, EffectFrames, ReportInput, RoundView, RoundsInput, ShownMotion,
+    self as report, EffectFrames, ReportInput, RoundView, RoundsInput, RunFact, ShownMotion,
 };
 use wisch_web::report_page;
 
@@ -177,8 +177,8 @@ fn write_report(
     Ok(())
 }
 
-/// Returns the facts of the report: label, and value with unit.
-pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String, String)> {
+/// Returns the facts of the report. The plan, its prediction and its motion are those of the first round.
+pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<RunFact> {
     let Some((prediction, _)) = &results.predicted else {
         return Vec::new();
     };
@@ -188,7 +188,7 @@ pub(crate) fn facts_of(loaded: &LoadedTask, results: &RunResults) -> Vec<(String
         Some(following) => following.total.distance,
         None => [wiped.contact_distance(), wiped.total_distance()],
     };
-    let mut facts = facts(loaded, &wiped, prediction, distance);
+    let mut facts = find_facts(loaded, &wiped, prediction, distance);
     facts.extend(following.iter().flat_map(|following| following.facts()));
     facts
 }
@@ -204,25 +204,22 @@ pub(crate) fn title(loaded: &LoadedTask) -> String {
 /// Returns the facts about the task, the plan and its prediction.
 ///
 /// `distance`: path length of the tool in contact and in total, over all rounds [m].
-fn facts(
+fn find_facts(
     loaded: &LoadedTask,
     plan: &Plan,
     prediction: &Prediction,
     distance: [f64; 2],
-) -> Vec<(String, String)> {
+) -> Vec<RunFact> {
     let tally = prediction.particles.tally();
     let performance = &prediction.performance;
-    let mut facts: Vec<(String, String)> = [
+    let first = [
         ("Predicted performance", percent(performance.ratio())),
-        ("Target performance", percent(loaded.run.target)),
         ("Particles", tally.initial.to_string()),
         ("On the surface", tally.remaining.to_string()),
         ("Absorbed", tally.absorbed.to_string()),
         ("Off the surface", tally.off_surface.to_string()),
         ("Lost over another edge", performance.lost.to_string()),
         ("Out of reach", percent(plan.unreachable_share)),
-        ("Distance in contact", format!("{:.2} m", distance[0])),
-        ("Distance in total", format!("{:.2} m", distance[1])),
         (
             "Graph",
             format!(
@@ -236,17 +233,26 @@ fn facts(
             "Collision sphere",
             format!("r_s = {:.4} m", plan.collision_radius),
         ),
+    ];
+    let longest = (plan.graph.max_edge_length)
+        .map(|longest| ("Maximum edge length", format!("{longest:.3} m")));
+    let whole = [
+        ("Target performance", percent(loaded.run.target)),
+        ("Distance in contact", format!("{:.2} m", distance[0])),
+        ("Distance in total", format!("{:.2} m", distance[1])),
         ("Strategy", loaded.run.plan.strategy.to_string()),
         ("Seed", loaded.run.plan.seed.to_string()),
-    ]
-    .map(|(label, value)| (label.to_owned(), value))
-    .to_vec();
-    if let Some(longest) = plan.graph.max_edge_length {
-        facts.push(("Maximum edge length".to_owned(), format!("{longest:.3} m")));
-    }
-    if let Some(derived) = &loaded.derived {
-        facts.push(("Goal".to_owned(), derived.goal.clone()));
-        facts.push(("Steps".to_owned(), derived.steps.join(" ")));
-    }
-    facts
+    ];
+    let derived = loaded.derived.iter().flat_map(|derived| {
+        [
+            ("Goal", derived.goal.clone()),
+            ("Steps", derived.steps.join(" ")),
+        ]
+    });
+    let first = first.into_iter().chain(longest);
+    let first = first.map(|(label, value)| (label.to_owned(), value, Some(1)));
+    let whole = whole.into_iter().chain(derived);
+    first
+        .chain(whole.map(|(label, value)| (label.to_owned(), value, None)))
+        .collect()
 }

@@ -6,6 +6,7 @@ use wisch::follow::{AbandonedNode, Audit, Followed, Workcell};
 use wisch::plan::Plan;
 use wisch::run::{PlannedRound, Round, Session};
 use wisch_io::FollowingSummary;
+use wisch_report::RunFact;
 
 /// A plan with the robot that followed it.
 #[derive(Debug, Clone)]
@@ -26,6 +27,13 @@ pub struct FollowedPlan {
     pub total: MotionTotal,
 }
 
+/// Facts about the motion of the first round; the others are about all rounds.
+const OF_FIRST_ROUND: [&str; 4] = [
+    "Abandoned nodes",
+    "Base poses",
+    "Maximum grip error of the second hand",
+    "Faults of the motion",
+];
 /// What is not checked where no link of a robot has a collision shape.
 pub const NO_SHAPES: &str = "have no collision shapes: only the tool is checked for collisions, with its holder if it has one";
 
@@ -186,8 +194,8 @@ impl FollowedPlan {
         }
     }
 
-    /// Returns the facts about the motion for the page: label, and value with unit.
-    pub(crate) fn facts(&self) -> Vec<(String, String)> {
+    /// Returns the facts about the motion for the page.
+    pub(crate) fn facts(&self) -> Vec<RunFact> {
         let followed = &self.followed;
         let total = &self.total;
         let [in_contact, in_all] = total.joint_movement;
@@ -242,8 +250,9 @@ impl FollowedPlan {
         if !self.audit.faults.is_empty() {
             facts.push(("Faults of the motion", self.audit.faults.len().to_string()));
         }
+        let of_first = |label: &str| OF_FIRST_ROUND.contains(&label).then_some(1);
         (facts.into_iter())
-            .map(|(label, value)| (label.to_owned(), value))
+            .map(|(label, value)| (label.to_owned(), value, of_first(label)))
             .collect()
     }
 }

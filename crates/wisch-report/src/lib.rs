@@ -74,7 +74,7 @@ pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{
     LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask, RECORDING_SCHEMA,
-    RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
+    RecordingHead, RecordingWriter, RoundTruth, RunFact, RunOutcome, UnexecutedPlan,
 };
 pub use rounds::{RoundView, RoundsInput};
 pub use sheet::{SheetInput, sheet_drawing};

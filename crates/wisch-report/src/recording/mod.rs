@@ -21,7 +21,7 @@ mod treated;
 mod words;
 
 pub use logged::{LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask};
-pub use story::RunOutcome;
+pub use story::{RunFact, RunOutcome};
 
 use crate::prediction::frames::EffectFrames;
 use crate::scene::Meshes;

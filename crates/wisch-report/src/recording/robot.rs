@@ -9,6 +9,8 @@ pub(super) const MAX_TRIANGLES: usize = 2_000;
 /// Maximum number of triangles of all visual meshes of a robot together, and of one of them.
 const MAX_SHOWN_TRIANGLES: usize = 40_000;
 const MAX_SHOWN_TRIANGLES_OF_ONE: usize = 5_000;
+/// Maximum number of triangles of a collision mesh beside visual geometry.
+const MAX_COLLISION_TRIANGLES: usize = 500;
 
 #[derive(Serialize)]
 pub(super) struct RobotRecord<'a> {
@@ -38,6 +40,9 @@ struct LinkRecord<'a> {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     visual: bool,
     shapes: Vec<Solid>,
+    /// Collision geometry, beside visual geometry.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    collision: Vec<Solid>,
 }
 
 impl<'a> RobotRecord<'a> {
@@ -55,18 +60,27 @@ impl<'a> RobotRecord<'a> {
         let most = (MAX_SHOWN_TRIANGLES / shown.count().max(1)).min(MAX_SHOWN_TRIANGLES_OF_ONE);
         let links = (robot.links().iter().enumerate()).map(|(i, link)| {
             let looks = looks(link);
+            let collision = |most: usize, meshes: &mut Meshes| -> Vec<Solid> {
+                let parts = link.collision.iter();
+                parts
+                    .map(|part| meshes.shape_within(&part.link_from_shape, &part.shape, most))
+                    .collect()
+            };
+            let (shapes, collision) = match looks {
+                Some(visuals) => (
+                    (visuals.iter())
+                        .map(|visual| visual_solid(visual, most, meshes))
+                        .collect(),
+                    collision(MAX_COLLISION_TRIANGLES, meshes),
+                ),
+                None => (collision(MAX_TRIANGLES, meshes), Vec::new()),
+            };
             LinkRecord {
                 name: &link.name,
                 arm: arm.contains(&i),
                 visual: looks.is_some(),
-                shapes: match looks {
-                    Some(visuals) => (visuals.iter())
-                        .map(|visual| visual_solid(visual, most, meshes))
-                        .collect(),
-                    None => (link.collision.iter())
-                        .map(|c| meshes.shape(&c.link_from_shape, &c.shape))
-                        .collect(),
-                },
+                shapes,
+                collision,
             }
         });
         Self {

@@ -9,6 +9,9 @@ use wisch::recover::Verdict;
 use wisch::represent::Task;
 use wisch::run::{Ending, Round};
 
+/// A fact about a run: label, value with unit, and the round that it is about; `None` for the whole run.
+pub type RunFact = (String, String, Option<usize>);
+
 /// How a run ended, for the last piece of a recording.
 #[derive(Debug, Clone, Copy)]
 pub struct RunOutcome<'a> {
@@ -24,8 +27,8 @@ pub struct RunOutcome<'a> {
     pub last: Option<(&'a Round, usize)>,
     /// True performance after the last round, in [0, 1]; `None` without ground truth.
     pub truth: Option<f64>,
-    /// Facts for the page: label, and value with unit.
-    pub facts: &'a [(String, String)],
+    /// Facts for the page: label, value with unit, and the round that it is about; `None` for the whole run.
+    pub facts: &'a [RunFact],
     /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings.
     pub task_arguments: &'a str,
 }
@@ -37,7 +40,7 @@ pub(super) struct Ended<'a> {
     verdict: Option<&'static str>,
     badge: Option<&'static str>,
     story: Story,
-    facts: &'a [(String, String)],
+    facts: &'a [RunFact],
     episode: Option<&'a str>,
 }
 

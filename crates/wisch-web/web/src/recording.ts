@@ -298,7 +298,7 @@ export interface TruthPiece {
   shape?: SurfaceShape | { kind: "plane" } | null;
 }
 
-/** Label, value with unit, and the round that it is about: null for the whole run, missing in recordings of version 0.3 and before. */
+/** Label, value with unit, and the round that it is about: null for the whole run, missing in recordings of version 0.2.0. */
 export type Fact = [label: string, value: string, round?: number | null];
 
 /** The last piece. */

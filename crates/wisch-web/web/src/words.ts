@@ -204,7 +204,7 @@ export class Words {
 
 type Row = [label: string, value: string];
 
-/** Returns the round that a number is about; null for the whole run. A recording of version 0.3 or before does not state it:
+/** Returns the round that a number is about; null for the whole run. A recording of version 0.2.0 does not state it:
  * it has the numbers of the first plan, and these of the run. */
 const roundOf = ([label, value, round]: Fact, first: number): number | null =>
-  round !== undefined ? round : / in \d+ rounds$/.test(value) || /^(Target performance|Tool held|Maximum path error|Minimum clearance)$/.test(label) ? null : first;
+  round !== undefined ? round : / in \d+ rounds$/.test(value) || /^(Target performance|Tool held|Maximum path error|Minimum clearance|Distance in contact|Distance in total|Goal|Steps|Links|Joints held at their ready positions)$/.test(label) ? null : first;
