@@ -114,7 +114,7 @@ fn summarise_execution(
     let mean = percent(found.performance.mean);
     let known = if found.is_conclusive() {
         format!(
-            "Estimated performance after {count}: {mean}{} of a target of {}.",
+            "Estimated performance after {count}: {mean}{}; the target is {}.",
             describe_treatment(outcome.task, last).unwrap_or_default(),
             percent(outcome.target)
         )

@@ -41,7 +41,7 @@ export function makeGainTable(round: Round, seek: (time: number) => void): HTMLE
   let end = round.start;
   return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Strokes" },
     el("table", {},
-      el("caption", {}, "Predicted gain of each stroke in performance, with its way in contact and its time, including the way to it. Strokes that gain nothing bring dirt together for later ones."),
+      el("caption", {}, "Predicted gain of each stroke in performance, with its way in contact and its time, including the way to it. A stroke without a gain may prepare a later one."),
       el("thead", {}, el("tr", {}, ...["Stroke", "Gain", "Contact", "Time"].map((name) => el("th", { scope: "col" }, name)))),
       el("tbody", {}, ...gains.map(({ stroke, gain, way, time }) => {
         const until = end += time;
