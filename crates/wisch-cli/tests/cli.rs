@@ -199,7 +199,10 @@ fn a_plan_can_be_predicted_later_with_the_same_result() {
     for action in ["absorb", "collect", "skim"] {
         // Which plan is the best is a question of the robot; which the search finds is not.
         let adaptive = "strategy=\"adaptive\"";
-        let task = ["board.toml", "--action", action, "--set", adaptive];
+        // Of several strokes.
+        let size = "surface.size_m=[0.40, 0.28]";
+        let set = ["--set", adaptive, "--set", size];
+        let task = [&["board.toml", "--action", action], &set[..]].concat();
         let (code, _, err) = output(
             folder.path(),
             &[&["plan"], &task[..], &["--out", "planned"]].concat(),
