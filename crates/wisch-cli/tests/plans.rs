@@ -40,14 +40,16 @@ fn all_commands_make_the_same_plan_of_every_scenario() {
     for scenario in scenarios() {
         let name = scenario.file_stem().unwrap().to_string_lossy().into_owned();
         let out = |command: &str| folder.path().join(format!("{name}-{command}"));
-        let with_budget = |words: &[&'static str]| [words, &["--budget", "5000"]].concat();
-        let planned = plan(&with_budget(&["plan"]), &scenario, &out("plan"));
+        // Of a search, a few plans are enough.
+        let few = ["--set", "plan.evaluations=5000"];
+        let with_few = |words: &[&'static str]| [words, &few].concat();
+        let planned = plan(&with_few(&["plan"]), &scenario, &out("plan"));
         assert_eq!(
-            plan(&with_budget(&["predict"]), &scenario, &out("predict")),
+            plan(&with_few(&["predict"]), &scenario, &out("predict")),
             planned,
             "{name}"
         );
-        let blind = with_budget(&["run", "--robot", "none"]);
+        let blind = with_few(&["run", "--robot", "none"]);
         assert_eq!(plan(&blind, &scenario, &out("run")), planned, "{name}");
     }
 }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::robot::Appearance;
 use wisch::run::RunEvent;
-use wisch_io::{LoadedTask, Robot, shell_word};
+use wisch_io::{LoadedTask, Robot, shell_word, shipped_scenarios};
 use wisch_memory::live_path;
 use wisch_report::{
     EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
@@ -224,21 +224,29 @@ impl PageSink {
                 last: last.map(|last| (&last.round, results.rounds.len())),
                 truth: last.and_then(|last| last.truth.as_ref()?.performance),
                 facts: &facts_of(loaded, results),
-                task_arguments: &name_task(loaded),
+                task_arguments: name_task(loaded).as_deref(),
+                max_rounds: loaded.run.max_rounds,
+                after_stop: loaded.run.after_stop,
             },
             episode,
         )
     }
 }
 
-/// Returns the arguments of a command that reads the same task: its path, settings and seed.
-fn name_task(loaded: &LoadedTask) -> String {
-    let mut words = vec![shell_word(&loaded.path.display().to_string())];
+/// Returns the arguments of a command that reads this task file with its settings and seed; `None` if there is no such file
+/// or scenario.
+fn name_task(loaded: &LoadedTask) -> Option<String> {
+    let path = &loaded.path;
+    let is_shipped = || shipped_scenarios().any(|(name, _)| Path::new(name) == path);
+    if !path.is_file() && !is_shipped() {
+        return None;
+    }
+    let mut words = vec![shell_word(&path.display().to_string())];
     for (key, value) in &loaded.settings {
         words.extend(["--set".to_owned(), shell_word(&format!("{key}={value}"))]);
     }
     words.extend(["--seed".to_owned(), loaded.task.seed.to_string()]);
-    words.join(" ")
+    Some(words.join(" "))
 }
 
 impl RunSink for PageSink {

@@ -82,6 +82,12 @@ impl Runs {
             let why = format!("{MOST_RUNS} runs are live already; stop one, or wait");
             return Err(Refusal::new(StatusCode::TOO_MANY_REQUESTS, why));
         }
+        if self.wisch.components().count() > 1 && !self.wisch.is_file() {
+            let program = self.wisch.display();
+            return Err(Refusal::failed(format!(
+                "{program} cannot be started: there is no such file"
+            )));
+        }
         let out = TempDir::with_prefix("wisch-studio-").map_err(Refusal::failed)?;
         let errors = tempfile::tempfile().map_err(Refusal::failed)?;
         // The threads of the runtime live as long as the studio: if it is killed, its runs stop too.

@@ -86,6 +86,8 @@ fn unit_of_property(name: &str) -> Option<String> {
             let is_share = comment.contains("from 0 to 1") || comment.contains("semco:performance");
             is_share.then(|| "share".to_owned())
         }
+        // Times are shown as date and time.
+        "s since 1970" => None,
         unit => Some(unit.to_owned()),
     }
 }

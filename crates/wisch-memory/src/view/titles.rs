@@ -25,9 +25,12 @@ pub(super) fn titles(
             PlotData::Points(_) => {}
         }
     }
+    names.sort_unstable();
+    names.dedup();
+    let mut alike = BTreeMap::new();
     let titled = |name: &str| {
         let id = catalogue.find(name.strip_prefix("semco:")?)?;
-        Some((name.to_owned(), title(catalogue, id)))
+        Some((name.to_owned(), title(catalogue, id, &mut alike)))
     };
     names.into_iter().filter_map(titled).collect()
 }
@@ -45,8 +48,12 @@ fn collect_names<'a>(term: &'a Term, names: &mut Vec<&'a str>) {
 }
 
 /// Returns the title of an individual: "round 2, stroke 3" with the number of the plan, "round 2, tool contact 5" in the
-/// order of time, or the class outside of rounds.
-fn title(catalogue: &Catalogue, id: IndividualId) -> String {
+/// order of time, or the class outside of rounds. `alike`: individuals by round and class, in that order, once asked for.
+fn title<'a>(
+    catalogue: &'a Catalogue,
+    id: IndividualId,
+    alike: &mut BTreeMap<(String, &'a str), Vec<IndividualId>>,
+) -> String {
     let class = catalogue.class(id);
     let label = Ontology::load().term(class).map(|term| &*term.label);
     let label = label.unwrap_or_else(|| class.strip_prefix("semco:").unwrap_or(class));
@@ -64,12 +71,18 @@ fn title(catalogue: &Catalogue, id: IndividualId) -> String {
         return format!("round {count}, stroke {}", stroke + 1.0);
     }
     let row = catalogue.episode_of(id);
-    let mut same: Vec<IndividualId> = (row.first..row.first + row.len)
-        .filter(|&other| catalogue.class(other) == class)
-        .filter(|&other| round_of(catalogue, other) == Some(round))
-        .collect();
-    let start = |id: &IndividualId| catalogue.interval(*id).map_or(f64::NAN, |[from, _]| from);
-    same.sort_by(|a, b| start(a).total_cmp(&start(b)));
+    let same = alike
+        .entry((format!("{} {count}", row.id), class))
+        .or_insert_with(|| {
+            let mut same: Vec<IndividualId> = (row.first..row.first + row.len)
+                .filter(|&other| catalogue.class(other) == class)
+                .filter(|&other| round_of(catalogue, other) == Some(round))
+                .collect();
+            let start =
+                |id: &IndividualId| catalogue.interval(*id).map_or(f64::NAN, |[from, _]| from);
+            same.sort_by(|a, b| start(a).total_cmp(&start(b)));
+            same
+        });
     match same.iter().position(|&other| other == id) {
         Some(place) if same.len() > 1 => format!("round {count}, {label} {}", place + 1),
         _ => format!("round {count}, {label}"),

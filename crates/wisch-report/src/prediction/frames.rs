@@ -162,7 +162,10 @@ impl PlaceGrid {
             .collect();
         let mut step = 1;
         loop {
-            let is_kept = |i: &usize| ranks[*i].iter().all(|rank| rank % step == step / 2);
+            let is_kept = |i: &usize| {
+                let mut axes = ranks[*i].iter().zip(&lines);
+                axes.all(|(rank, lines)| rank % step == (step / 2).min(lines.len() - 1))
+            };
             let kept: Vec<usize> = (0..places.len()).filter(is_kept).collect();
             if kept.len() <= most {
                 let gap = |line: &Vec<f64>| {
@@ -205,6 +208,12 @@ fn thinning(count: usize, most: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_single_long_row_is_thinned_too() {
+        let kept = PlaceGrid::new(&grid(6500, 1), 6000).kept;
+        assert!(kept.len() > 3000 && kept.len() <= 6000, "{}", kept.len());
+    }
 
     /// Returns the points of a grid of 1 cm, row by row.
     fn grid(columns: usize, rows: usize) -> Vec<Point2> {

@@ -7,7 +7,6 @@ use crate::rounds::words::{format_degrees, format_estimate, kind_name};
 use serde::Serialize;
 use wisch::geometry::{Pose, flatten_pose};
 use wisch::interpret::{Diagnosis, Doubt, Event, EventKind};
-use wisch::represent::SurfaceShape;
 use wisch::run::{Ending, Round};
 
 /// Shortfall of the estimate against the prediction that is an incident \[1\].
@@ -41,11 +40,14 @@ pub(super) fn find_incidents(round: &Round) -> Vec<Incident> {
         .filter_map(|&kind| describe_events(round, kind))
         .collect();
     incidents.extend(describe_pose(round));
+    // The prediction leaves abandoned nodes out, and not every doubt means less wiping.
+    let is_explained = !incidents.is_empty();
     incidents.extend(describe_doubts(round));
     incidents.extend(describe_abandoned(round));
-    let is_explained = !incidents.is_empty();
-    incidents.extend(describe_shortfall(round, is_explained));
-    incidents.extend(describe_ending(round));
+    match &round.execution.ending {
+        Ending::Complete => incidents.extend(describe_shortfall(round, is_explained)),
+        ending => incidents.extend(describe_ending(round, ending)),
+    }
     incidents
 }
 
@@ -70,7 +72,7 @@ fn describe_events(round: &Round, kind: EventKind) -> Option<Incident> {
     let [evidence, effect, advice] = match kind {
         EventKind::ContactLoss => [
             format!("no force for {} s in total", metres(duration, 1)),
-            "Where contact was lost, nothing counts as wiped.".to_owned(),
+            "Where contact was lost, no effect is counted.".to_owned(),
             "Compare the pose of the surface and the press force with the real ones.".to_owned(),
         ],
         EventKind::Overload => [
@@ -88,7 +90,7 @@ fn describe_events(round: &Round, kind: EventKind) -> Option<Incident> {
             if kind == EventKind::HandGuiding {
                 "Repeat the round without guiding the tool by hand."
             } else {
-                "Keep clear of the robot; the next round wipes what is left."
+                "Keep clear of the robot. Another round would wipe what is left."
             }
             .to_owned(),
         ],
@@ -111,13 +113,18 @@ fn format_title(round: &Round, kind: EventKind, events: &[&Event]) -> String {
     let names = match (kind, events.len()) {
         (kind, 1) => capitalise(kind_name(kind)),
         (EventKind::ContactLoss, many) => format!("{many} contact losses"),
-        (EventKind::HandGuiding, many) => format!("Hand guiding, {many} times,"),
+        (EventKind::HandGuiding, many) => format!("Hand guiding, {many} times"),
         (kind, many) => format!("{many} {}s", kind_name(kind)),
     };
-    match places.as_slice() {
-        [one] => format!("{names} {one}"),
+    join_places(&names, &places)
+}
+
+/// Adds one or two places to a name; more would be too long.
+fn join_places(names: &str, places: &[String]) -> String {
+    match places {
+        [one] if !one.is_empty() => format!("{names} {one}"),
         [one, two] => format!("{names}: {one} and {two}"),
-        _ => names,
+        _ => names.to_owned(),
     }
 }
 
@@ -131,10 +138,11 @@ fn describe_contact(round: &Round, events: &[&Event], duration: f64) -> String {
     });
     let touching = overlaps.fold(0.0, |sum: f64, overlap| sum + overlap.max(0.0));
     if touching <= 0.0 {
-        return "The tool was not in contact at that time: nothing counts as wiped.".to_owned();
+        return "The tool was not in contact at that time, so that no effect is counted."
+            .to_owned();
     }
     format!(
-        "The tool was in contact for {} of that time; elsewhere nothing counts as wiped.",
+        "The tool was in contact for {} of that time; no effect is counted for the rest.",
         percent((touching / duration).min(1.0))
     )
 }
@@ -158,23 +166,18 @@ fn describe_pose(round: &Round) -> Option<Incident> {
         title: "The surface is not at its believed pose".to_owned(),
         evidence,
         effect: "Later rounds use the measured pose.".to_owned(),
-        advice: match round.motion.task.surface.shape {
-            SurfaceShape::Mesh(_) => {
-                "Correct position_m and the rotation of [surface] in the task.".to_owned()
-            }
-            _ => format!(
-                "For later runs, set [surface] {}.",
-                format_pose(world_from_surface)
-            ),
-        },
+        advice: format!(
+            "For later runs, correct the poses in the task, also of objects that are displaced with the surface. In the world, the measured surface is at {}.",
+            format_pose(world_from_surface)
+        ),
     })
 }
 
-/// Formats a pose as keys of a task file.
+/// Formats a pose as position and quaternion.
 fn format_pose(world_from_surface: &Pose) -> String {
     let [x, y, z, qx, qy, qz, qw] = flatten_pose(world_from_surface);
     format!(
-        "position_m = [{x:.4}, {y:.4}, {z:.4}], quaternion_xyzw = [{qx:.5}, {qy:.5}, {qz:.5}, {qw:.5}]"
+        "({x:.4}, {y:.4}, {z:.4}) m with the orientation ({qx:.5}, {qy:.5}, {qz:.5}, {qw:.5}), a quaternion x, y, z, w"
     )
 }
 
@@ -212,10 +215,10 @@ fn describe_abandoned(round: &Round) -> Option<Incident> {
         time: None,
         title: format!("The robot abandons {} of the plan", format_count(abandoned.len(), "node")),
         evidence: format!(
-            "{cause}; {} of the dirt lies there.",
+            "{cause}; they cost {} of the predicted performance.",
             percent(round.motion.abandoned_share())
         ),
-        effect: "Dirt there counts as not wiped.".to_owned(),
+        effect: "The prediction leaves them out.".to_owned(),
         advice: "Place the robot or the surface elsewhere; wisch check states how much the robot reaches."
             .to_owned(),
     })
@@ -230,10 +233,11 @@ fn describe_shortfall(round: &Round, is_explained: bool) -> Option<Incident> {
     {
         return None;
     }
-    let is_as_planned_by_touch = found.observation.is_some() && found.by_touch.low > estimate.high;
-    let [effect, advice] = if is_as_planned_by_touch {
+    let touch = found.by_touch;
+    let is_doubted_by_sight = found.observation.is_some() && touch.low > estimate.high;
+    let [effect, advice] = if is_doubted_by_sight && touch.high >= predicted {
         [
-            format!("The forces were as planned: from touch only, the estimate is {}.", format_estimate(found.by_touch)),
+            format!("The forces were as planned: from touch only, the estimate is {}.", format_estimate(touch)),
             "Check whether tool and medium are those of the task; wisch learn fits their effect to such rounds.".to_owned(),
         ]
     } else if is_explained {
@@ -242,7 +246,7 @@ fn describe_shortfall(round: &Round, is_explained: bool) -> Option<Incident> {
     } else {
         [
             "The forces show no cause.".to_owned(),
-            "Check whether tool, medium and the amount of dirt are those of the task.".to_owned(),
+            "Check whether tool, medium and surface are those of the task.".to_owned(),
         ]
     };
     Some(Incident {
@@ -259,43 +263,46 @@ fn describe_shortfall(round: &Round, is_explained: bool) -> Option<Incident> {
 }
 
 /// States why the motion did not run to its end.
-fn describe_ending(round: &Round) -> Option<Incident> {
-    let (time, title, evidence, advice) = match &round.execution.ending {
+fn describe_ending(round: &Round, ending: &Ending) -> Option<Incident> {
+    let (time, title, cause, advice) = match ending {
         Ending::Complete => return None,
-        Ending::Stopped => (
-            round.execution.duration,
-            "Stopped on request, or by an error",
-            String::new(),
-            "",
-        ),
-        Ending::Early { time, cause } => (
-            *time,
-            "The motion ended early",
-            format!("{}.", capitalise(&cause.to_string())),
-            "",
-        ),
+        Ending::Stopped => {
+            let title = "Stopped on request, or by an error";
+            (round.execution.duration, title, String::new(), "")
+        }
+        Ending::Early { time, cause } => (*time, "The motion ended early", cause.to_string(), ""),
         Ending::ProtectiveStop { time, cause } => (
             *time,
             "Protective stop",
-            format!("{}.", capitalise(&cause.to_string())),
+            cause.to_string(),
             "Check the robot before it moves again.",
         ),
     };
     Some(Incident {
         time: Some(round_to(time, 1e3)),
-        title: format!(
-            "{title}, at {} s of {} s",
-            metres(time, 1),
-            metres(round.motion.followed.duration(), 1)
-        ),
-        evidence,
-        effect: "What was not executed counts as not wiped.".to_owned(),
+        title: format!("{title}, at {} s", metres(time, 1)),
+        evidence: if cause.is_empty() {
+            cause
+        } else {
+            format!("{}.", capitalise(&cause))
+        },
+        effect: "No effect is counted for what was not executed.".to_owned(),
         advice: advice.to_owned(),
     })
 }
 
-/// States during which stroke an event began.
+/// Largest difference between the durations of an executed and a planned motion at which both have the same times [s].
+const SAME_TIMES: f64 = 0.5;
+
+/// States during which stroke an event began; empty if the motion was not executed at its planned times.
 fn format_place(round: &Round, event: &Event) -> String {
+    let (execution, planned) = (&round.execution, round.motion.followed.duration());
+    if execution.ending != Ending::Complete
+        || (execution.duration - planned).abs() > SAME_TIMES
+        || !execution.pauses.is_empty()
+    {
+        return String::new();
+    }
     let motion = round.motion.followed.motion_at(event.start);
     match motion.and_then(|motion| motion.phase.stroke()) {
         Some(stroke) => format!("in stroke {}", stroke + 1),
@@ -309,4 +316,24 @@ fn capitalise(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::join_places;
+
+    #[test]
+    fn one_or_two_places_are_named() {
+        let join = |places: &[&str]| {
+            let places: Vec<String> = places.iter().map(|&place| place.to_owned()).collect();
+            join_places("2 collisions", &places)
+        };
+        assert_eq!(join(&["in stroke 3"]), "2 collisions in stroke 3");
+        assert_eq!(
+            join(&["in stroke 3", "between strokes"]),
+            "2 collisions: in stroke 3 and between strokes"
+        );
+        assert_eq!(join(&["a", "b", "c"]), "2 collisions");
+        assert_eq!(join(&[""]), "2 collisions");
+    }
 }

@@ -5,9 +5,12 @@ use super::words;
 use crate::draw::percent;
 use crate::rounds::words::format_estimate;
 use serde::Serialize;
-use wisch::recover::Verdict;
+use wisch::recover::{Claim, Verdict, assess_goal};
 use wisch::represent::Task;
-use wisch::run::{Ending, Round};
+use wisch::run::{AfterStop, Ending, Round};
+
+/// Largest limit of rounds.
+const MOST_ROUNDS: usize = 1000;
 
 /// A fact about a run: label, value with unit, and the round that it is about; `None` for the whole run.
 pub type RunFact = (String, String, Option<usize>);
@@ -29,8 +32,13 @@ pub struct RunOutcome<'a> {
     pub truth: Option<f64>,
     /// Facts for the page: label, value with unit, and the round that it is about; `None` for the whole run.
     pub facts: &'a [RunFact],
-    /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings.
-    pub task_arguments: &'a str,
+    /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings; `None` if
+    /// no file has the task.
+    pub task_arguments: Option<&'a str>,
+    /// Limit of the number of rounds.
+    pub max_rounds: usize,
+    /// What the robot does after a stop that does not continue by itself.
+    pub after_stop: AfterStop,
 }
 
 #[derive(Serialize)]
@@ -61,6 +69,15 @@ struct NextStep {
     command: Option<String>,
 }
 
+impl NextStep {
+    fn in_words(words: &str) -> Self {
+        Self {
+            words: words.to_owned(),
+            command: None,
+        }
+    }
+}
+
 impl<'a> Ended<'a> {
     pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
         let task = words::describe_task(outcome.task, outcome.target);
@@ -72,7 +89,10 @@ impl<'a> Ended<'a> {
             piece: "ended",
             met: outcome.is_met,
             verdict: outcome.last.map(|(last, _)| last.verdict.as_str()),
-            badge: outcome.last.map(|(last, _)| describe_end(last)),
+            badge: outcome.last.map(|(last, rounds)| {
+                let goal = assess_goal(last.verdict, &last.interpretation, outcome.target);
+                RunEnd::of(outcome, last, rounds).badge(goal)
+            }),
             story,
             facts: outcome.facts,
             episode,
@@ -80,19 +100,77 @@ impl<'a> Ended<'a> {
     }
 }
 
-/// States in a few words how a run ended.
-const fn describe_end(last: &Round) -> &'static str {
-    match (last.verdict, &last.execution.ending) {
-        (Verdict::GoalMet, _) => "goal met",
-        (_, Ending::Stopped) => "stopped",
-        (_, Ending::ProtectiveStop { .. }) => "protective stop",
-        (Verdict::Again, _) => "not met: no rounds left",
-        (Verdict::NoProgress, _) => "not met: no progress",
-        (Verdict::NothingToGain, _) => "not met: nothing to gain",
-        (Verdict::NoWay, _) => "not met: no way to wipe again",
-        (Verdict::UnsafeMotion, _) => "not met: motion refused",
-        (Verdict::Undecidable, _) => "performance unknown",
-        (Verdict::UnknowableByTouch, _) => "undecided by touch",
+/// Why a run has no further round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum RunEnd {
+    /// The policy decided so: the verdict of the last round.
+    Verdict(Verdict),
+    /// Too many points have more passes than the task allows.
+    TooManyPasses,
+    /// The limit of rounds is reached.
+    NoRoundsLeft,
+    /// A user or the program stopped the motion.
+    Stopped,
+    /// The robot stopped itself, and waits.
+    ProtectiveStop,
+    /// The run ended before its next round.
+    Interrupted,
+}
+
+impl RunEnd {
+    fn of(outcome: &RunOutcome<'_>, last: &Round, rounds: usize) -> Self {
+        let claim = Claim::assess(&last.interpretation.distribution, outcome.target);
+        match (last.verdict, &last.execution.ending) {
+            (Verdict::Again, Ending::Stopped) if outcome.after_stop == AfterStop::Wait => {
+                Self::Stopped
+            }
+            (Verdict::Again, Ending::ProtectiveStop { cause, .. })
+                if !cause.kind().may_continue(outcome.after_stop) =>
+            {
+                Self::ProtectiveStop
+            }
+            (Verdict::Again, _) if rounds >= outcome.max_rounds => Self::NoRoundsLeft,
+            (Verdict::Again, _) => Self::Interrupted,
+            (Verdict::NothingToGain, _) if claim.holds() => Self::TooManyPasses,
+            (verdict, _) => Self::Verdict(verdict),
+        }
+    }
+
+    /// States the end in a few words. `goal`: what is known about the goal.
+    const fn badge(self, goal: Verdict) -> &'static str {
+        match (self, goal) {
+            (Self::Stopped, _) => "stopped",
+            (Self::ProtectiveStop, _) => "protective stop",
+            (Self::Interrupted, _) => "ended early",
+            (_, Verdict::GoalMet) => "goal met",
+            (_, Verdict::Undecidable) => "performance unknown",
+            (_, Verdict::UnknowableByTouch) => "undecided by touch",
+            (Self::NoRoundsLeft, _) => "not met: no rounds left",
+            (Self::TooManyPasses, _) => "not met: too many passes",
+            (Self::Verdict(Verdict::NoProgress), _) => "not met: no progress",
+            (Self::Verdict(Verdict::NothingToGain), _) => "not met: nothing to gain",
+            (Self::Verdict(Verdict::NoWay), _) => "not met: no way to wipe again",
+            (Self::Verdict(Verdict::UnsafeMotion), _) => "not met: motion refused",
+            (Self::Verdict(_), _) => "not met",
+        }
+    }
+
+    /// States the end in a sentence, after what is known about the goal.
+    const fn explain(self) -> &'static str {
+        match self {
+            Self::Stopped => " The run was stopped.",
+            Self::ProtectiveStop => " The robot made a protective stop, and waits.",
+            Self::Interrupted => " The run ended before its next round.",
+            Self::NoRoundsLeft => " The limit of rounds is reached.",
+            Self::TooManyPasses => " Too many points have more passes than the task allows.",
+            Self::Verdict(Verdict::NoProgress) => " The last round did not raise the estimate.",
+            Self::Verdict(Verdict::NothingToGain) => " No plan is predicted to improve it.",
+            Self::Verdict(Verdict::NoWay) => " No plan or motion for another round was found.",
+            Self::Verdict(Verdict::UnsafeMotion) => {
+                " The motion of the next round failed its check, and was refused."
+            }
+            Self::Verdict(_) => "",
+        }
     }
 }
 
@@ -121,78 +199,79 @@ fn summarise_execution(
     } else {
         format!("The log does not show the performance after {count}; {mean} is a guess.")
     };
+    let end = RunEnd::of(outcome, last, rounds);
+    let goal = assess_goal(last.verdict, found, outcome.target);
+    let goal_words = match goal {
+        Verdict::GoalMet => "The goal is met.",
+        Verdict::Undecidable => "It is unknown whether the goal is met.",
+        Verdict::UnknowableByTouch => {
+            "It is unknown whether the goal is met, and touch cannot decide it."
+        }
+        _ => "The goal is not met.",
+    };
     Story {
         asked,
-        happened: format!("{known} {}", explain_end(last)),
+        happened: format!("{known} {goal_words}{}", end.explain()),
         sure: format!(
             "Estimated from {senses}: {}.{truth}",
             format_estimate(found.performance)
         ),
         surer: words::suggest_measures(last),
-        next: suggest_next(outcome, last, rounds),
+        next: suggest_next(outcome, last, (end, goal), rounds),
     }
 }
 
-/// States why a run ended.
-const fn explain_end(last: &Round) -> &'static str {
-    match (last.verdict, &last.execution.ending) {
-        (Verdict::GoalMet, _) => "The goal is met.",
-        (_, Ending::Stopped) => "The run was stopped.",
-        (_, Ending::ProtectiveStop { .. }) => "The robot made a protective stop and waits.",
-        (Verdict::Again, _) => "The goal is not met, and the limit of rounds is reached.",
-        (Verdict::NoProgress, _) => {
-            "The goal is not met, and the last round did not raise the estimate."
-        }
-        (Verdict::NothingToGain, _) => {
-            "The goal is not met, and no plan is predicted to improve it."
-        }
-        (Verdict::NoWay, _) => {
-            "The goal is not met: no plan or motion for another round was found."
-        }
-        (Verdict::UnsafeMotion, _) => {
-            "The goal is not met: the motion of the next round fails its check and was refused."
-        }
-        (Verdict::Undecidable, _) => "It is unknown whether the goal is met.",
-        (Verdict::UnknowableByTouch, _) => {
-            "Touch cannot decide whether the goal is met, and wiping again would not change that."
-        }
-    }
-}
-
-/// Suggests what to do after a run whose goal is not met, or not known to be met.
-fn suggest_next(outcome: &RunOutcome<'_>, last: &Round, rounds: usize) -> Option<NextStep> {
-    let task = outcome.task_arguments;
+/// Suggests what to do after a run whose goal is not met, or not known to be met. The recording does not know all options
+/// of the run, such as its robot.
+fn suggest_next(
+    outcome: &RunOutcome<'_>,
+    last: &Round,
+    (end, goal): (RunEnd, Verdict),
+    rounds: usize,
+) -> Option<NextStep> {
+    const SIGHT: &str = " --set 'perception.senses=[\"touch\", \"sight\"]'";
     let sees = last.interpretation.observation.is_some();
-    let [words, command] = match (last.verdict, &last.execution.ending) {
-        (Verdict::GoalMet, _) => return None,
-        (_, Ending::Stopped) => ["Repeat the run.", &format!("wisch run {task}")],
-        (_, Ending::ProtectiveStop { .. }) => [
+    let more = format!(" --rounds {}", (2 * rounds).min(MOST_ROUNDS));
+    let is_unknown = matches!(goal, Verdict::Undecidable | Verdict::UnknowableByTouch);
+    let (words, command, options) = match end {
+        _ if goal == Verdict::GoalMet => return None,
+        RunEnd::Stopped | RunEnd::Interrupted => ("Repeat the run.", "run", ""),
+        RunEnd::ProtectiveStop => (
             "Remove the cause of the stop, then repeat the run.",
-            &format!("wisch run {task}"),
-        ],
-        (Verdict::Again, _) => [
-            "Allow more rounds.",
-            &format!("wisch run {task} --rounds {}", 2 * rounds),
-        ],
-        (Verdict::UnknowableByTouch | Verdict::Undecidable, _) if !sees => [
+            "run",
+            "",
+        ),
+        // A camera sees dirt, but neither polish nor a coat.
+        _ if is_unknown && !sees && outcome.task.treatment.is_none() => (
             "Let a camera observe the surface after each round.",
-            &format!("wisch run {task} --set 'perception.senses=[\"touch\", \"sight\"]'"),
-        ],
-        (Verdict::NoWay | Verdict::UnsafeMotion, _) => [
-            "See what the robot reaches from where it stands.",
-            &format!("wisch check {task}"),
-        ],
-        (Verdict::NoProgress | Verdict::NothingToGain, _) => [
-            "See what every strategy would do, and what it would cost.",
-            &format!("wisch plan {task} --explain"),
-        ],
-        (Verdict::Undecidable | Verdict::UnknowableByTouch, _) => {
-            ["Correct what the doubts name, then repeat the run.", ""]
+            "run",
+            SIGHT,
+        ),
+        _ if goal == Verdict::Undecidable => (
+            "Correct what the doubts about the log name, then repeat the run.",
+            "run",
+            "",
+        ),
+        RunEnd::NoRoundsLeft => ("Allow more rounds.", "run", more.as_str()),
+        RunEnd::TooManyPasses => {
+            return Some(NextStep::in_words("Allow more passes, or plan fewer."));
         }
+        RunEnd::Verdict(Verdict::NoWay | Verdict::UnsafeMotion) => {
+            ("See how much of the plan the robot reaches.", "check", "")
+        }
+        RunEnd::Verdict(Verdict::NoProgress | Verdict::NothingToGain) => (
+            "See what every strategy would do, and what it would cost.",
+            "plan",
+            " --explain",
+        ),
+        RunEnd::Verdict(_) => return None,
     };
-    Some(NextStep {
-        words: words.to_owned(),
-        command: (!command.is_empty()).then(|| command.to_owned()),
+    Some(match outcome.task_arguments {
+        Some(task) => NextStep {
+            words: format!("{words} Add the other options of this run, if it had any."),
+            command: Some(format!("wisch {command} {task}{options}")),
+        },
+        None => NextStep::in_words(words),
     })
 }
 
@@ -221,10 +300,7 @@ fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
         sure:
             "This is a prediction. It assumes that dirt, tool and surface are as the task states."
                 .to_owned(),
-        surer: String::new(),
-        next: Some(NextStep {
-            words: "Execute the plan.".to_owned(),
-            command: Some(format!("wisch run {}", outcome.task_arguments)),
-        }),
+        surer: "Execute the plan with a robot: wisch run.".to_owned(),
+        next: None,
     }
 }

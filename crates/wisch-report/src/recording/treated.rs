@@ -85,9 +85,9 @@ impl Band {
     pub(super) fn describe_target(&self, target: f64, count: &str) -> String {
         let on = format!("on {} of {count} surface points", percent(target));
         if self.unit == "passes" {
-            let [least, most] = [self.low, self.high].map(|passes| metres(passes, 0));
+            let [least, most] = [self.low, self.high].map(format_passes);
             let rest = percent(1.0 - target);
-            format!("at least {least} passes {on}, and more than {most} passes on at most {rest}")
+            format!("at least {least} {on}, and more than {most} on at most {rest}")
         } else {
             format!("a coat of {} {on}", self.describe())
         }
@@ -107,7 +107,7 @@ impl Band {
     /// Describes what a place has that counts as done.
     pub(super) fn describe_done(&self) -> String {
         match self.unit {
-            "passes" => format!("at least {} passes", metres(self.low, 0)),
+            "passes" => format!("at least {}", format_passes(self.low)),
             _ => format!("a coat of {}", self.describe()),
         }
     }
@@ -122,6 +122,11 @@ impl Band {
     fn steps(&self, passes: f64) -> i64 {
         (passes * self.per_pass / self.step).round() as i64
     }
+}
+
+fn format_passes(count: f64) -> String {
+    let plural = if count == 1.0 { "" } else { "es" };
+    format!("{} pass{plural}", metres(count, 0))
 }
 
 impl TreatedPlaces {

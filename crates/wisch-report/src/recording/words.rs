@@ -210,6 +210,8 @@ pub(super) fn suggest_measures(last: &Round) -> String {
         .any(|event| event.kind == EventKind::Push);
     let mut measures = Vec::new();
     match &found.observation {
+        // A camera sees dirt, but neither polish nor a coat.
+        None if last.motion.task.treatment.is_some() => {}
         None => measures
             .push("a camera that observes the surface after each round ([perception] in the task)"),
         Some(observation) if observation.hidden.area() > 0.0 => {

@@ -79,11 +79,6 @@ impl Meshes {
         self.records[first..].to_vec()
     }
 
-    /// Adds a shape at its pose.
-    pub(crate) fn shape(&mut self, pose: &Pose, shape: &Shape) -> Solid {
-        self.shape_within(pose, shape, self.most)
-    }
-
     /// Adds a shape at its pose; a mesh is reduced to at most `most` triangles.
     pub(crate) fn shape_within(&mut self, pose: &Pose, shape: &Shape, most: usize) -> Solid {
         let form = match shape {

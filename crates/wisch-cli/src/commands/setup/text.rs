@@ -349,7 +349,7 @@ pub fn describe(
         ));
         if ready.manipulability <= SINGULAR {
             lines.push(("note", format!(
-                "{}: all postures found are singular, as the joints move the tip in fewer directions than they are many; the choice ignores manipulability",
+                "{}: the ready posture is singular: in some direction, the joints cannot move the tip",
                 group.name
             )));
         }
