@@ -1,4 +1,5 @@
 // A recording: it grows piece by piece and gives access to any of its times.
+import { lastIndex } from "./columns.ts";
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
 import type { Contact } from "./round.ts";
@@ -206,13 +207,7 @@ export class Recording {
 
   /** Returns the round at a time of the common clock; the later one at a boundary. */
   roundAt(t: number): Round | null {
-    let [low, high] = [0, this.rounds.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.rounds[middle]!.start <= t) low = middle + 1;
-      else high = middle;
-    }
-    return this.rounds[Math.max(0, low - 1)] ?? null;
+    return this.rounds[Math.max(0, lastIndex(this.rounds.length, (i) => this.rounds[i]!.start <= t))] ?? null;
   }
 
   at(t: number): Instant | null {
