@@ -15,7 +15,7 @@ const CONFIRM_N = 0.3;
 /** Least number of samples in a row that show contact or a push, if only their force does. */
 export const LEAST_SAMPLES = 3;
 /** Height over the believed surface above which a force cannot come from wiping [m]. */
-const HIGH_M = 0.03;
+export const HIGH_M = 0.03;
 
 /** Who acts on the tool: the surface that it presses on, somebody or something else, or nothing. */
 export type Contact = "contact" | "pushed" | "none";

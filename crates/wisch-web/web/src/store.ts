@@ -250,11 +250,17 @@ export class Recording {
     };
   }
 
-  /** Returns the round whose result holds at a time: the last one that had ended, until the robot wipes again. */
-  resultAt(t: number): Round | null {
+  /** Returns the last round that had ended at a time, until the robot wipes again. */
+  endedAt(t: number): Round | null {
     const last = this.rounds.findLastIndex((round) => round.end <= t + 1e-6);
-    const [ended, next] = [this.rounds[last], this.rounds[last + 1]];
-    return ended?.interpreted && (!next || t < next.start + next.firstContact) ? ended : null;
+    const next = this.rounds[last + 1];
+    return next && t >= next.start + next.firstContact ? null : this.rounds[last] ?? null;
+  }
+
+  /** Returns the round whose result holds at a time. */
+  resultAt(t: number): Round | null {
+    const ended = this.endedAt(t);
+    return ended?.interpreted ? ended : null;
   }
 
   /** Returns where touch found the surface, as known at a time: at the end of the last round that had ended. */

@@ -9,7 +9,7 @@ import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
-import { LOGGED, goalState } from "./words.ts";
+import { LOGGED, stateOf } from "./words.ts";
 
 const NAMES: Record<string, string> = {
   believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
@@ -41,7 +41,7 @@ export class Story {
   private asked = 0;
 
   /** `seek` shows a time of the common clock. */
-  constructor(private readonly recording: Recording, private readonly seek: (time: number) => void = () => {}, corner?: HTMLElement) {
+  constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
       el("div", { class: "w-told" }, this.pictures, this.texts), this.incidents);
@@ -64,12 +64,10 @@ export class Story {
     const { head, ended, rounds, stages, live } = this.recording;
     const interpreted = rounds.findLast((round) => round.interpreted) ?? null;
     say(this.title, head?.title || "Recording");
-    const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
-    const [planned, logged] = [isAll("planned"), isAll("logged")];
-    const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : logged ? "logged" : "broken";
+    const { state, text } = stateOf(this.recording);
+    const [planned, logged] = [state === "planned", state === "logged"];
     this.badge.dataset.state = state;
-    const shown = ended?.badge ?? ended?.verdict;
-    say(this.badge, { met: shown ?? "goal met", unmet: shown ?? "stopped", unknown: shown ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
+    say(this.badge, text);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
       ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");

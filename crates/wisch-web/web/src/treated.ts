@@ -123,11 +123,10 @@ export function resultValues(record: TreatmentRecord | null | undefined, written
   return values;
 }
 
-/** Returns the map that the scene shows: after a round the true or the estimated one, until the tool changes it; else the predicted one. */
+/** Returns the map that the scene shows: after a round the true or the estimated one, until the robot wipes again; else the predicted one. */
 export function mapAt(recording: Recording, t: number, round: Round, layers: { believed: boolean; estimated: boolean; actual: boolean }): SurfaceValues | null {
-  const done = recording.rounds.findLast(({ end }) => end <= t + 1e-6);
-  const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
-  if (done?.plan.treatment && t <= Math.max(done.end, touched)) {
+  const done = recording.endedAt(t);
+  if (done?.plan.treatment) {
     const { interpreted, truth, plan: { treatment: record, surface } } = done;
     const pose = interpreted?.found ?? surface.pose;
     const name = `${quantityOf(done)} after round ${done.number}`;

@@ -20,6 +20,28 @@ const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", 
 export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
   met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
 
+export type State = "live" | "planned" | "logged" | "broken" | "met" | "unmet" | "unknown";
+
+/** Returns the state of a run and, in a few words, how it ended. */
+export function stateOf({ rounds, ended, live }: Recording): { state: State; text: string } {
+  const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
+  if (live) return { state: "live", text: "running" };
+  if (isAll("planned")) return { state: "planned", text: "planned only" };
+  if (isAll("logged")) return { state: "logged", text: "from the log" };
+  if (!ended) return { state: "broken", text: "ended early" };
+  const state = goalState(ended.met, ended.verdict);
+  return { state, text: ended.badge ?? ended.verdict ?? (ended.met ? "goal met" : "stopped") };
+}
+
+/** Returns the result of a round in a few words: of the last one with a result, how the run ended. */
+export function endText({ rounds, ended }: Recording, { number, plan: { kind }, interpreted, over }: Round): string {
+  if (kind === "planned") return "planned only";
+  if (kind === "logged") return "from the log";
+  if (!interpreted) return over ? "no result" : "running";
+  const isLast = rounds.findLast((round) => round.interpreted)?.number === number;
+  return (isLast ? ended?.badge : null) ?? interpreted.verdict;
+}
+
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
 const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
@@ -87,7 +109,7 @@ export class Words {
     const instant = recording.at(clock.time);
     this.showNow(instant);
     const round = instant?.round;
-    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live].join();
+    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live, recording.ended?.badge].join();
     if (key !== this.key) {
       this.key = key;
       this.showRound(round ?? null);
@@ -116,7 +138,7 @@ export class Words {
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
     const over = time >= round.length - 1e-6 && round.interpreted;
-    const state = over ? round.interpreted!.verdict : phase ? phaseText(phase.name) : "starting";
+    const state = over ? endText(recording, round) : phase ? phaseText(phase.name) : "starting";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
@@ -140,7 +162,7 @@ export class Words {
     const { interpreted, truth } = round;
     this.after.replaceChildren(
       el("p", { class: "w-quiet" }, `Round ${round.number}, known from ${clockText(round.end)} on.`),
-      el("p", {}, el("strong", {}, interpreted.verdict), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
+      el("p", {}, el("strong", {}, endText(this.recording, round)), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
         ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
         ...makeRow("Estimated", estimateText(interpreted.estimate)),

@@ -547,6 +547,15 @@ const cases = {
     const after = await cameras();
     assert.notEqual(after[0], before[0]);
     assert.equal(after[0], after[1], "the cameras are linked");
+    const button = (pane, name) => page.locator(".s-pane").nth(pane).getByRole("button", { name, exact: true });
+    await button(0, "Surface").click();
+    await button(1, "Fit").click();
+    await page.waitForTimeout(6000);
+    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames)), await cameras()];
+    await page.waitForTimeout(700);
+    assert.deepEqual(await cameras(), resting, "linked cameras come to rest");
+    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames));
+    assert.ok(more[0] - frames[0] <= 2 && more[1] - frames[1] <= 2, `frames ${frames} and ${more}`);
     await page.waitForSelector("[data-curve]");
     const curves = await page.locator("[data-curve]").evaluateAll((list) => [...new Set(list.map(({ dataset }) => dataset.curve))].sort());
     assert.deepEqual(curves, ["force-A", "force-B", "predicted-A", "predicted-B"]);

@@ -55,6 +55,7 @@ test("the scene shows the prediction in a round, and the result after it", () =>
   assert.equal(kind(first.end, { believed: false, actual: false, estimated: false }), null);
   assert.equal(kind(contact + 0.1), "predicted 2.0", "the tool changes the surface again");
   assert.equal(kind(recording.duration), "true 5.0");
+  assert.equal(kind(recording.duration + 30), "true 5.0", "beside a longer recording");
 });
 
 test("a recording without values, or with those of other places, has no map", () => {

@@ -122,3 +122,22 @@ test("a view is from the front of an upright surface, past what stands before it
   const past = chooseDirection([{ blocks: blocksOf([post]), tool: wall }], wall, new Vector3(0, -1, 0), new Vector3(0, -1, 0));
   assert.ok(!isBetween(blocksOf([post])[0], wall[0], wall[0].clone().addScaledVector(past, 1.5)));
 });
+
+test("while a run goes on, the followed strokes are the planned ones", () => {
+  const pieces = sample();
+  const begun = pieces.filter(({ piece, round = 1, t }) => piece === "head" || (round === 1 && (piece === "round" || (piece === "samples" && t[0] < 1))));
+  const { round } = open(pieces);
+  const [phase] = round.plan.phases.filter(({ contact }) => contact);
+  const live = new Recording();
+  begun.forEach((piece) => live.apply(piece));
+  const shots = new Shots(live, null, new Still(live.rounds[0], live));
+  const { points } = shots.at((phase.start + phase.end) / 2);
+  const along = (axis) => [Math.min, Math.max].map((most) => most(...points.map((point) => point[axis])));
+  for (let time = phase.start; time < phase.end; time += 0.1) {
+    const [x, y] = round.toolAt(time);
+    for (const [axis, at] of [["x", x], ["y", y]]) {
+      const [low, high] = along(axis);
+      assert.ok(low < at && at < high, `the tool is at ${axis} ${at} at ${time}, not in ${low} to ${high}`);
+    }
+  }
+});

@@ -11,7 +11,7 @@ import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
-import { blocksOf, cornersOf, isBetween } from "./viewpoint.ts";
+import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
 import { type Bend, trueShape } from "../store.ts";
 import type { Recording } from "../store.ts";
@@ -159,7 +159,7 @@ export class Still {
   private makeSights(surface: Mesh): Vector3[] {
     this.group.updateMatrixWorld(true);
     const corners = cornersOf([surface]);
-    const middle = corners.reduce((sum, corner) => sum.addScaledVector(corner, 1 / corners.length), new Vector3());
+    const middle = middleOf(corners);
     return [middle, ...corners.map((corner) => corner.lerp(middle, 0.1))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), SIGHT_M));
   }
 

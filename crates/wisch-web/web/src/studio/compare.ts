@@ -2,7 +2,7 @@
 import { clockText, el, fixed, percent, svg } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
-import { estimateText, goalState } from "../words.ts";
+import { estimateText, stateOf } from "../words.ts";
 import type { Clock } from "../clock.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
@@ -65,12 +65,13 @@ const known = (value: number | null | undefined, text: (value: number) => string
 const interval = ({ low, high }: Estimate): string => `(${percent(low)} to ${percent(high)})`;
 
 function factsOf(recording: Recording): Fact[] {
-  const { head, rounds, ended, live } = recording;
+  const { head, rounds, ended } = recording;
+  const { state, text } = stateOf(recording);
   const task = head?.task;
   const chosen = rounds.flatMap(({ plan }) => plan.considered?.find((one) => one.chosen)?.strategy ?? []);
   const last = rounds.findLast(({ interpreted }) => interpreted) ?? rounds.at(-1);
   const interpreted = last?.interpreted;
-  const unknown = ended ? goalState(ended.met, ended.verdict) === "unknown" : false;
+  const unknown = state === "unknown";
   const predicted = last?.plan.predicted ?? null;
   const actual = last?.truth?.performance ?? null;
   const peak = Math.max(...rounds.map(({ normal }) => normal.largest));
@@ -90,7 +91,7 @@ function factsOf(recording: Recording): Fact[] {
     { label: "Duration", text: clockText(recording.duration), value: recording.duration, by: signed("s", 1) },
     { label: "Largest force", text: peak > 0 ? `${fixed(peak, 1)} N` : DASH, value: peak > 0 ? peak : null, by: signed("N", 1) },
     { label: "Events", text: countEvents(recording) },
-    { label: "Result", text: ended ? ended.verdict ?? "stopped" : live ? "running" : "ended early" },
+    { label: "Result", text },
   ];
 }
 
