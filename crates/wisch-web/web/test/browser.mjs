@@ -109,6 +109,15 @@ const cases = {
     await page.keyboard.press("+");
     assert.equal(await page.evaluate(() => wisch.view.clock.speed), 2);
     await page.keyboard.press("-");
+    // The slider takes the keys that move it, and no others.
+    await page.locator(".w-xray input").focus();
+    await press("]", stop);
+    await page.keyboard.press("ArrowRight");
+    near(await time(page), stop, 1e-6);
+    assert.equal(await page.locator(".w-xray input").inputValue(), "0.05");
+    await page.keyboard.press("Home");
+    await press("[", 0);
+    await page.evaluate(() => document.activeElement.blur());
 
     await page.mouse.move(left + 0.5 * span, box.y + 180);
     await page.mouse.wheel(0, -600);
@@ -252,6 +261,10 @@ const cases = {
     assert.equal((await at(2.5))[0], "Contact yes");
     const pushed = await at(9.5);
     assert.deepEqual([pushed[0], pushed[3].split(" ")[0]], ["Contact pushed", "Predicted"]);
+    const lanes = await page.locator(".w-timeline").boundingBox();
+    await page.mouse.move(lanes.x + 112 + (9.5 / second) * (lanes.width - 112 - 22), lanes.y + 60);
+    await drawn(page);
+    assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     assert.equal((await at(0.2))[0], "Contact none");
     assert.match((await at(first + 0.1))[3], /^Estimated \d+/);
     assert.match((await at(second))[3], /^Estimated \d+/);
@@ -499,6 +512,14 @@ const cases = {
     await picture("map-true");
     assert.deepEqual(complaints, []);
     await page.close();
+    const phone = await show("polished-phone", lines(polished()), { width: 360, height: 780, hasTouch: true, isMobile: true });
+    await phone.page.locator(".w-layers summary").tap();
+    const top = await phone.page.evaluate(() => {
+      const [list, scale] = [".w-layers", ".w-scene-scale"].map((part) => document.querySelector(part).getBoundingClientRect());
+      return [list.bottom > scale.top, document.elementFromPoint(Math.max(list.left, scale.left) + 20, scale.top + 4).closest(".w-layers, .w-scene-scale").className];
+    });
+    assert.deepEqual(top, [true, "w-layers"], "the open list lies over the scale");
+    await phone.page.close();
     const old = await show("polished-before", lines(polished().map(({ treatment, treated, ...piece }) => piece)));
     assert.match(await old.page.locator(".w-pictures").innerText(), /This recording has no passes per place\./);
     assert.equal(await old.page.locator(".w-dots").count(), 0);

@@ -73,7 +73,7 @@ test("a treatment that cannot be drawn is refused", () => {
   const round = pieces.find(({ piece }) => piece === "round");
   const wrong = (change) => ({ ...round, treatment: { ...treatment, ...change } });
   checkPiece(wrong({}));
-  for (const change of [{ unit: "m" }, { low: 0 }, { high: 1 }, { cell: [1] }, { places: [1] }, { steps: [[0, ["a"], [1]]] }, { steps: [[0, [1]]] }, { step: null }]) {
+  for (const change of [{ unit: "m" }, { low: 0 }, { high: 1 }, { high: 2.5 }, { low: 1.5 }, { high: 1e7 }, { unit: "\u00b5m", low: 2, high: 2, target: 2 }, { cell: [1] }, { places: [1] }, { steps: [[0, ["a"], [1]]] }, { steps: [[0, [1]]] }, { step: null }]) {
     assert.throws(() => checkPiece(wrong(change)), /lacks a field/, JSON.stringify(change));
   }
 });
