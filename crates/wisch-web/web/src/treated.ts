@@ -46,6 +46,9 @@ export const isTreated = ({ plan: { goal } }: Round): boolean => goal?.kind === 
 /** Returns what is measured at each place, in words. */
 export const quantityOf = ({ plan: { goal } }: Round): string => (goal?.kind === "dispensed" ? "coat thickness" : "passes");
 
+/** Distance from the middle of a drawn cell to its edge, in its sides; cells overlap a little, as their middles are rounded. */
+export const CELL_REACH = 0.51;
+
 export type Degree = "little" | "allowed" | "much";
 export const DEGREES: Record<Degree, string> = { little: "too little", allowed: "allowed", much: "too much" };
 

@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
+import { capitalise, clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
 import type { Considered, Estimate, Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -11,7 +11,8 @@ const makeSection = (title: string, open: boolean, ...children: (Node | string)[
 
 const makeList = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
-export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
+/** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
+export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
 /** Verdicts that are neither success nor failure; recordings of version 0.2.0 have the last two. */
 const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", "unknowable by touch"];
@@ -44,9 +45,10 @@ export function endText({ rounds, ended }: Recording, { number, plan: { kind }, 
 
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
-const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+/** What stands for an unknown value. */
+export const DASH = "\u2013";
 
-const formatKnown = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
+export const formatKnown = (value: number | null | undefined, text: (value: number) => string): string => (typeof value === "number" ? text(value) : DASH);
 
 /** Returns a table of the candidate plans, by falling score. */
 function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
@@ -131,7 +133,7 @@ export class Words {
     if (!instant) {
       say(this.headline, stage?.words ?? (!recording.live ? "The recording has no rounds." : recording.head ? "No round has begun." : "The recording is empty so far."));
       say(this.below, "");
-      for (const value of Object.values(this.live)) say(value, "\u2013");
+      for (const value of Object.values(this.live)) say(value, DASH);
       return;
     }
     const { round, time, normal, height, performance, contact } = instant;
@@ -143,8 +145,8 @@ export class Words {
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
-    say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);
-    say(this.live.height, height === null ? "\u2013" : `${fixed(1000 * height, 1)} mm`);
+    say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
+    say(this.live.height, formatKnown(height, (metres) => `${fixed(1000 * metres, 1)} mm`));
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));

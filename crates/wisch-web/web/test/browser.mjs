@@ -110,7 +110,7 @@ const cases = {
     assert.equal(await page.evaluate(() => wisch.view.clock.speed), 2);
     await page.keyboard.press("-");
     // The slider takes the keys that move it, and no others.
-    await page.locator(".w-xray input").focus();
+    await page.locator(".w-xray input").evaluate((slider) => slider.focus({ preventScroll: true }));
     await press("]", stop);
     await page.keyboard.press("ArrowRight");
     near(await time(page), stop, 1e-6);
@@ -261,10 +261,6 @@ const cases = {
     assert.equal((await at(2.5))[0], "Contact yes");
     const pushed = await at(9.5);
     assert.deepEqual([pushed[0], pushed[3].split(" ")[0]], ["Contact pushed", "Predicted"]);
-    const lanes = await page.locator(".w-timeline").boundingBox();
-    await page.mouse.move(lanes.x + 112 + (9.5 / second) * (lanes.width - 112 - 22), lanes.y + 60);
-    await drawn(page);
-    assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     assert.equal((await at(0.2))[0], "Contact none");
     assert.match((await at(first + 0.1))[3], /^Estimated \d+/);
     assert.match((await at(second))[3], /^Estimated \d+/);
@@ -276,6 +272,9 @@ const cases = {
     assert.match(tip, /performance after round 1: \d+\u202f% \(90\u202f%: .*\) estimated\nthe estimate after round 1 replaces the prediction of \d+\u202f%\ntrue performance after round 1/);
     const cover = await page.locator(".w-tip").boundingBox();
     assert.ok(cover.y + cover.height <= box.y, "the tooltip covers the lanes");
+    await page.mouse.move(box.x + 112 + (9.5 / second) * (box.width - 112 - 22), box.y + 260);
+    await drawn(page);
+    assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     await picture("time");
     assert.match(await page.locator(".w-words").innerText(), /Round 2, known from 25\.\d s on[^]*Whole run, 2 rounds[^]*Round 1\s+Strokes\s+5\s+Round 2\s+Strokes\s+2/);
     assert.deepEqual(complaints, []);

@@ -20,9 +20,16 @@ test("differences are stated with their sign and unit", () => {
   assert.deepEqual(rows.get("Rounds").texts, [String(whole.rounds.length), "1"]);
   assert.match(rows.get("Duration").by, /^\u2212\d+\.\d\u202fs$/);
   assert.match(rows.get("Way in contact").by, /^\u2212\d+\.\d\d\u202fm$/);
-  assert.match(rows.get("Estimated, with 90\u202f% interval").texts[0], /^\d+\u202f% \(\d+\u202f% to \d+\u202f%\)$/);
+  assert.match(rows.get("Estimated, last round").texts[0], /^\d+\u202f% \(90\u202f%: \d+\u202f% to \d+\u202f%\)$/);
   assert.equal(rows.get("Result").texts[1], "ended early");
   for (const { by } of differencesOf(whole, whole)) assert.equal(by, "");
+});
+
+test("what both recordings lack is unknown, not the same", () => {
+  const blind = Recording.parse(lines(parts.filter(({ piece }) => piece !== "truth")));
+  const rows = new Map(differencesOf(blind, blind).map(({ label, by }) => [label, by]));
+  assert.deepEqual([rows.get("True, last round"), rows.get("Medium")], ["\u2013", ""]);
+  assert.equal(differencesOf(short, whole).find(({ label }) => label === "Rounds").by, "+1");
 });
 
 test("a performance that is unknown has no difference", () => {
