@@ -86,16 +86,19 @@ export class PlotColumn extends Column {
   }
 }
 
-/** Returns the index of the last entry that is at most `value` among the first `length` entries, which must be sorted; -1 if all are greater. */
-export function lastAtMost(rising: ArrayLike<number>, value: number, length = rising.length): number {
+/** Returns the last of the indices below `length` that has a property, which none has after the first without it; -1 if none has it. */
+export function lastIndex(length: number, has: (i: number) => boolean): number {
   let [low, high] = [0, length];
   while (low < high) {
     const middle = (low + high) >> 1;
-    if (rising[middle]! <= value) low = middle + 1;
+    if (has(middle)) low = middle + 1;
     else high = middle;
   }
   return low - 1;
 }
+
+/** Returns the index of the last entry that is at most `value` among the first `length` entries, which must be sorted; -1 if all are greater. */
+export const lastAtMost = (rising: ArrayLike<number>, value: number, length = rising.length): number => lastIndex(length, (i) => rising[i]! <= value);
 
 /** Returns a number of a piece; NaN for null, which stands for an unknown value. */
 export const number = (value: unknown): number => (typeof value === "number" ? value : NaN);

@@ -30,6 +30,8 @@ export const fixed = (value: number, digits: number): string => {
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 };
 
+export const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** The name of a phase for people; files have "transfer". */
 export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
 

@@ -33,6 +33,7 @@ const views: HTMLElement[] = [];
 const isTaken = (target: EventTarget | null, key: string): boolean => {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;
+  if (target instanceof HTMLInputElement && target.type === "range") return /^(Arrow|Page|Home$|End$)/.test(key);
   if (target instanceof HTMLInputElement) return !(target.type === "checkbox" && key !== " ");
   return key === " " && /^(BUTTON|A|SUMMARY)$/.test(target.tagName);
 };

@@ -1,8 +1,8 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
-import { el, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
-import { DEGREES, bandText, binOf, binsOf, quantityOf, resultValues } from "./treated.ts";
+import { CELL_REACH, DEGREES, bandText, binOf, binsOf, quantityOf, resultValues } from "./treated.ts";
 import type { Bin, Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
@@ -27,13 +27,13 @@ function describeShares(record: TreatmentRecord, bins: Bin[], values: readonly n
   return (Object.keys(DEGREES) as Degree[]).map((degree) => `${((100 * counts[degree]) / Math.max(1, values.length)).toFixed(1)}\u202f% ${DEGREES[degree]}`).join(", ");
 }
 
-/** Draws the values as one path per bin, in millimetres; neighbours in a row are one rectangle. Cells overlap a little, as their middles are rounded. */
+/** Draws the values as one path per bin, in millimetres; neighbours in a row are one rectangle. */
 function drawCells(record: TreatmentRecord, values: readonly number[]): SVGElement[] {
   const bins = binsOf(record);
   const paths = bins.map(() => "");
   const places = metres(record.places);
   const [width, height] = record.cell.map((side) => 1000 * side) as [number, number];
-  const [left, up] = [0.51 * width, 0.51 * height];
+  const [left, up] = [CELL_REACH * width, CELL_REACH * height];
   const count = values.length;
   for (let i = 0; i < count;) {
     const bin = binOf(bins, record, values[i]!);
@@ -74,6 +74,6 @@ export function makeMapFigures({ rounds }: Recording): Element[] {
     done && figure(`True ${after}`, done, resultValues(done.plan.treatment, done.truth?.treated)),
   ].filter((one) => one !== null);
   const quantity = quantityOf(last);
-  const title = `${quantity.charAt(0).toUpperCase()}${quantity.slice(1)} per place${unrolled}`;
+  const title = `${capitalise(quantity)} per place${unrolled}`;
   return [el("p", { class: "w-wide w-quiet" }, title), ...figures, makeScale(record)];
 }

@@ -1,21 +1,28 @@
 // One round: plan, measurements and results.
-import { Column, PlotColumn, lastAtMost, number } from "./columns.ts";
+import { Column, PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
 import { ValueTrack } from "./treated.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
-/** A force counts if it exceeds both TOUCH_N [N] and this share of the round's peak normal force [1]. */
-const TOUCH_N = 0.3;
+/** Without a result, a force counts if it exceeds both this share of the round's largest normal force [1], in steps of STEP_N [N],
+ * and TOUCH_N or, far from the surface, PUSH_N [N]: more than the noise of free motion, which is up to 0.7 N. */
 const TOUCH_SHARE = 0.1;
+const STEP_N = 2;
+const TOUCH_N = 1;
+const PUSH_N = 2;
+/** Least force that confirms an interval of a result [N]. */
+const CONFIRM_N = 0.3;
+/** Least number of samples in a row that show contact or a push, if only their force does. */
+export const LEAST_SAMPLES = 3;
 /** Height over the believed surface above which a force cannot come from wiping [m]. */
-const HIGH_M = 0.03;
+export const HIGH_M = 0.03;
 
 /** Who acts on the tool: the surface that it presses on, somebody or something else, or nothing. */
 export type Contact = "contact" | "pushed" | "none";
-export type Intervals = readonly (readonly [start: number, end: number])[];
+type Intervals = readonly (readonly [start: number, end: number])[];
 
 /** Whether an event is somebody or something that acts on the tool or the arm. */
-export const isPush = ({ kind, by_hand }: EventRecord): boolean => by_hand || /collision/i.test(kind);
+const isPush = ({ kind, by_hand }: EventRecord): boolean => by_hand || /collision/i.test(kind);
 
 export class Round {
   readonly number: number;
@@ -156,37 +163,47 @@ export class Round {
     return isWithin(pushed, time) ? "pushed" : isWithin(contact, time) ? "contact" : "none";
   }
 
+  /** What contacts follow from besides the samples: the classification of earlier samples changes only with it. */
+  get basis(): string {
+    return `${Boolean(this.interpreted)} ${this.touchForce}`;
+  }
+
+  /** Force from which on the tool touches something, as known so far [N]. */
+  private get touchForce(): number {
+    return TOUCH_SHARE * STEP_N * Math.floor(Math.max(0, this.normal.largest) / STEP_N);
+  }
+
   /** Classifies the whole round. The intervals of a result count where the force confirms them: old recordings also have
    * those of a tool that crosses the height of the surface beside it. Before the result, force and height decide. */
   private classify(): { contact: Intervals; pushed: Intervals } {
     const { normal, height, plan, interpreted } = this;
     const isMeasured = normal.least <= normal.largest;
-    const least = Math.max(TOUCH_N, TOUCH_SHARE * normal.largest);
+    const least = this.touchForce;
     // Detected contacts may be weaker than what is visible without knowledge of the press force.
-    const weakest = Math.max(TOUCH_N, 0.5 * least);
+    const weakest = Math.max(CONFIRM_N, 0.5 * least);
     const known = interpreted?.contacts ?? plan.contacts;
     const detected = this.events.filter(isPush).map(({ start, end }) => [start, end] as const);
     if (!this.count || !isMeasured) {
-      return { contact: known ?? plan.phases.filter(({ contact }) => contact).map(({ start, end }) => [start, end] as const), pushed: detected };
+      const planned = plan.phases.filter(({ contact }) => contact).map(({ start, end }) => [start, end] as const);
+      return { contact: mergeIntervals(known ?? planned), pushed: mergeIntervals(detected) };
     }
     const isHigh = (i: number) => height.data[i]! > HIGH_M;
     const strength = (i: number) => Math.hypot(this.force.data[3 * i]!, this.force.data[3 * i + 1]!, this.force.data[3 * i + 2]!);
-    const highPushes = this.intervals((i) => isHigh(i) && strength(i) > least);
+    const highPushes = this.intervals((i) => isHigh(i) && strength(i) > Math.max(PUSH_N, least));
     const isExact = Boolean(interpreted?.incidents);
     const pressed = isExact ? known : known?.filter(([start, end]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest);
-    return { contact: pressed ?? this.intervals((i) => !isHigh(i) && normal.data[i]! > least), pushed: mergeIntervals([...detected, ...highPushes]) };
+    const contact = pressed ?? this.intervals((i) => !isHigh(i) && normal.data[i]! > Math.max(TOUCH_N, least));
+    return { contact: mergeIntervals(contact), pushed: mergeIntervals([...detected, ...highPushes]) };
   }
 
-  /** Returns the intervals between samples that all have a property. */
+  /** Returns the intervals between at least LEAST_SAMPLES samples that all have a property. */
   private intervals(has: (i: number) => boolean): [number, number][] {
     const list: [number, number][] = [];
-    let open = false;
-    for (let i = 0; i < this.count; i++) {
-      const now = has(i);
-      const time = this.t.data[i]!;
-      if (now && open) list.at(-1)![1] = time;
-      else if (now) list.push([time, time]);
-      open = now;
+    let first = 0;
+    for (let i = 0; i <= this.count; i++) {
+      if (i < this.count && has(i)) continue;
+      if (i - first >= LEAST_SAMPLES) list.push([this.t.data[first]!, this.t.data[i - 1]!]);
+      first = i + 1;
     }
     return list;
   }
@@ -194,13 +211,8 @@ export class Round {
 
 /** Returns whether a time is within one of the intervals, which are sorted and disjoint. */
 function isWithin(intervals: Intervals, time: number): boolean {
-  let [low, high] = [0, intervals.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (intervals[middle]![0] <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low > 0 && time <= intervals[low - 1]![1];
+  const last = lastIndex(intervals.length, (i) => intervals[i]![0] <= time);
+  return last >= 0 && time <= intervals[last]![1];
 }
 
 /** Sorts intervals, and merges those that overlap. */

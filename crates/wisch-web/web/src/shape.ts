@@ -19,7 +19,7 @@ const SOLIDS = new Map<unknown, Check>([
   ["box", has({ size: exactly(3) })], ["sphere", has({ radius: finite })], ["mesh", has({ mesh: finite })],
   ["cylinder", has({ radius: finite, length: finite })], ["capsule", has({ radius: finite, length: finite })],
 ]);
-const solid: Check = (value) => has({ pose, kind: text })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
+const solid: Check = (value) => has({ pose, kind: text, color: maybe(exactly(4)) })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 /** A radius of 0 would be no surface. */
@@ -55,11 +55,15 @@ const considered = has({
   score: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
 });
 
+/** Largest value of a treated surface, in its unit. */
+const MOST_VALUE = 1e6;
+
 const treatment: Check = (value) => {
   if (!has({ unit: text, target: finite, low: finite, high: finite, step: finite, cell: exactly(2), places: list(finite), steps: list(some) })(value)) return false;
   const { unit, low, high, target, places, steps } = value as { unit: string; low: number; high: number; target: number; places: number[]; steps: unknown[][] };
   const isStep = (step: unknown[]): boolean => step.length === 3 && finite(step[0]) && list(finite)(step[1]) && list(finite)(step[2]);
-  return ["passes", "\u00b5m"].includes(unit) && low > 0 && low <= target && target <= high && places.length % 2 === 0 && steps.every(isStep);
+  const isBand = unit === "passes" ? [target, low, high].every(Number.isInteger) : unit === "\u00b5m" && low < high;
+  return isBand && high <= MOST_VALUE && low > 0 && low <= target && target <= high && places.length % 2 === 0 && steps.every(isStep);
 };
 
 const round = has({

@@ -1,4 +1,5 @@
 // A recording: it grows piece by piece and gives access to any of its times.
+import { lastIndex } from "./columns.ts";
 import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
 import type { Contact } from "./round.ts";
@@ -206,13 +207,7 @@ export class Recording {
 
   /** Returns the round at a time of the common clock; the later one at a boundary. */
   roundAt(t: number): Round | null {
-    let [low, high] = [0, this.rounds.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.rounds[middle]!.start <= t) low = middle + 1;
-      else high = middle;
-    }
-    return this.rounds[Math.max(0, low - 1)] ?? null;
+    return this.rounds[Math.max(0, lastIndex(this.rounds.length, (i) => this.rounds[i]!.start <= t))] ?? null;
   }
 
   at(t: number): Instant | null {
@@ -255,11 +250,17 @@ export class Recording {
     };
   }
 
-  /** Returns the round whose result holds at a time: the last one that had ended, until the robot wipes again. */
-  resultAt(t: number): Round | null {
+  /** Returns the last round that had ended at a time, until the robot wipes again. */
+  endedAt(t: number): Round | null {
     const last = this.rounds.findLastIndex((round) => round.end <= t + 1e-6);
-    const [ended, next] = [this.rounds[last], this.rounds[last + 1]];
-    return ended?.interpreted && (!next || t < next.start + next.firstContact) ? ended : null;
+    const next = this.rounds[last + 1];
+    return next && t >= next.start + next.firstContact ? null : this.rounds[last] ?? null;
+  }
+
+  /** Returns the round whose result holds at a time. */
+  resultAt(t: number): Round | null {
+    const ended = this.endedAt(t);
+    return ended?.interpreted ? ended : null;
   }
 
   /** Returns where touch found the surface, as known at a time: at the end of the last round that had ended. */

@@ -9,7 +9,7 @@ import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
-import { LOGGED, goalState } from "./words.ts";
+import { LOGGED, stateOf } from "./words.ts";
 
 const NAMES: Record<string, string> = {
   believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
@@ -25,7 +25,9 @@ const MOST_INCIDENTS = 6;
 /** Returns a command with a button that copies it. */
 function makeCommand(command: string): HTMLElement {
   const copy = el("button", { type: "button", class: "w-button", click: () => {
-    navigator.clipboard.writeText(command).then(() => say(copy, "Copied"), () => say(copy, "Not copied"));
+    // A page without a secure origin has no clipboard.
+    const copied = navigator.clipboard ? navigator.clipboard.writeText(command) : Promise.reject();
+    copied.then(() => say(copy, "Copied"), () => say(copy, "Not copied"));
   } }, "Copy");
   return el("div", { class: "w-command" }, el("code", {}, command), copy);
 }
@@ -37,11 +39,12 @@ export class Story {
   private readonly pictures = el("div", { class: "w-pictures" });
   private readonly texts = el("div", { class: "w-texts" });
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
+  private readonly keys = new Map<HTMLElement, string>();
   private readonly stop: () => void;
   private asked = 0;
 
   /** `seek` shows a time of the common clock. */
-  constructor(private readonly recording: Recording, private readonly seek: (time: number) => void = () => {}, corner?: HTMLElement) {
+  constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
       el("div", { class: "w-told" }, this.pictures, this.texts), this.incidents);
@@ -64,22 +67,21 @@ export class Story {
     const { head, ended, rounds, stages, live } = this.recording;
     const interpreted = rounds.findLast((round) => round.interpreted) ?? null;
     say(this.title, head?.title || "Recording");
-    const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
-    const [planned, logged] = [isAll("planned"), isAll("logged")];
-    const state = ended ? goalState(ended.met, ended.verdict) : live ? "live" : planned ? "planned" : logged ? "logged" : "broken";
+    const { state, text } = stateOf(this.recording);
+    const [planned, logged] = [state === "planned", state === "logged"];
     this.badge.dataset.state = state;
-    const shown = ended?.badge ?? ended?.verdict;
-    say(this.badge, { met: shown ?? "goal met", unmet: shown ?? "stopped", unknown: shown ?? "", live: "running", planned: "planned only", logged: "from the log", broken: "ended early" }[state]);
+    say(this.badge, text);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
       ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
-    this.texts.replaceChildren(
+    const known = rounds.map(({ number, interpreted, truth }) => [number, interpreted?.estimate, interpreted?.by_touch, truth?.performance]);
+    this.rebuild(this.texts, [head?.task, story, live, happened, state, known], () => [
       ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
       ...this.makePart(live ? "Now" : "Result", happened),
       ...this.makePart("Confidence", story?.sure ?? (interpreted || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
       ...this.makePart("More certainty", story?.surer ?? ""),
       ...this.makePart("Next", story?.next?.words ?? "", story?.next?.command ? makeCommand(story.next.command) : null),
-    );
+    ]);
     this.drawPictures();
     this.showIncidents();
   }
@@ -88,12 +90,21 @@ export class Story {
   private showIncidents(): void {
     const all = this.recording.rounds.flatMap((round) => (round.interpreted?.incidents ?? []).map((incident) => ({ round, incident })));
     const isKnown = this.recording.rounds.some((round) => round.interpreted?.incidents);
-    const cards = all.slice(0, MOST_INCIDENTS).map(({ round, incident }) => this.makeCard(round, incident));
-    const more = all.length - cards.length;
+    const shown = all.slice(0, MOST_INCIDENTS);
+    const more = all.length - shown.length;
     this.incidents.hidden = !isKnown;
-    this.incidents.replaceChildren(el("h2", {}, "What did not go as planned"), ...(all.length
-      ? [el("ul", {}, ...cards), ...(more ? [el("p", { class: "w-quiet" }, `and ${more} more`)] : [])]
-      : [el("p", { class: "w-quiet" }, "Nothing unusual was detected.")]));
+    const content = [more, shown.map(({ round: { number, start }, incident }) => [number, start, incident])];
+    this.rebuild(this.incidents, content, () => [el("h2", {}, "What did not go as planned"), ...(all.length
+      ? [el("ul", {}, ...shown.map(({ round, incident }) => this.makeCard(round, incident))), ...(more ? [el("p", { class: "w-quiet" }, `and ${more} more`)] : [])]
+      : [el("p", { class: "w-quiet" }, "Nothing unusual was detected.")])]);
+  }
+
+  /** Replaces the children of an element if what they show has changed: a button that has the focus would lose it. */
+  private rebuild(parent: HTMLElement, content: unknown, make: () => Node[]): void {
+    const key = JSON.stringify(content);
+    if (this.keys.get(parent) === key) return;
+    this.keys.set(parent, key);
+    parent.replaceChildren(...make());
   }
 
   private makeCard(round: Round, { time, title, evidence, effect, advice }: IncidentRecord): HTMLElement {

@@ -12,6 +12,7 @@ import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listenPointer } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
+import { HIGH_M } from "./round.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 
@@ -256,7 +257,7 @@ export class Timeline {
       round.plan.phases[phase]?.name ?? "",
       normal === null ? "" : `force ${fixed(normal, 1)} N`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
-      contact === "none" ? "" : contact === "pushed" ? "pushed: not a contact with the surface" : "contact with the surface",
+      contact === "none" ? "" : contact === "pushed" ? `pushed by somebody or something${height !== null && height > HIGH_M ? ", not on the surface" : ""}` : "contact with the surface",
       performance === null ? "" : `performance ${percent(performance)} predicted`,
       ...(ended ? describeResult(ended) : []),
       ...new Set(shown),

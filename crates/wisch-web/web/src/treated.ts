@@ -46,6 +46,9 @@ export const isTreated = ({ plan: { goal } }: Round): boolean => goal?.kind === 
 /** Returns what is measured at each place, in words. */
 export const quantityOf = ({ plan: { goal } }: Round): string => (goal?.kind === "dispensed" ? "coat thickness" : "passes");
 
+/** Distance from the middle of a drawn cell to its edge, in its sides; cells overlap a little, as their middles are rounded. */
+export const CELL_REACH = 0.51;
+
 export type Degree = "little" | "allowed" | "much";
 export const DEGREES: Record<Degree, string> = { little: "too little", allowed: "allowed", much: "too much" };
 
@@ -123,11 +126,10 @@ export function resultValues(record: TreatmentRecord | null | undefined, written
   return values;
 }
 
-/** Returns the map that the scene shows: after a round the true or the estimated one, until the tool changes it; else the predicted one. */
+/** Returns the map that the scene shows: after a round the true or the estimated one, until the robot wipes again; else the predicted one. */
 export function mapAt(recording: Recording, t: number, round: Round, layers: { believed: boolean; estimated: boolean; actual: boolean }): SurfaceValues | null {
-  const done = recording.rounds.findLast(({ end }) => end <= t + 1e-6);
-  const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
-  if (done?.plan.treatment && t <= Math.max(done.end, touched)) {
+  const done = recording.endedAt(t);
+  if (done?.plan.treatment) {
     const { interpreted, truth, plan: { treatment: record, surface } } = done;
     const pose = interpreted?.found ?? surface.pose;
     const name = `${quantityOf(done)} after round ${done.number}`;

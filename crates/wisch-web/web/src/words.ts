@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
+import { capitalise, clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
 import type { Considered, Estimate, Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -11,7 +11,8 @@ const makeSection = (title: string, open: boolean, ...children: (Node | string)[
 
 const makeList = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
-export const estimateText = ({ mean, low, high }: Estimate): string => `${percent(mean)} (90\u202f%: ${percent(low)} to ${percent(high)})`;
+/** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
+export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
 /** Verdicts that are neither success nor failure; recordings of version 0.2.0 have the last two. */
 const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", "unknowable by touch"];
@@ -20,11 +21,34 @@ const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", 
 export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
   met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
 
+export type State = "live" | "planned" | "logged" | "broken" | "met" | "unmet" | "unknown";
+
+/** Returns the state of a run and, in a few words, how it ended. */
+export function stateOf({ rounds, ended, live }: Recording): { state: State; text: string } {
+  const isAll = (kind: string) => rounds.length > 0 && rounds.every(({ plan }) => plan.kind === kind);
+  if (live) return { state: "live", text: "running" };
+  if (isAll("planned")) return { state: "planned", text: "planned only" };
+  if (isAll("logged")) return { state: "logged", text: "from the log" };
+  if (!ended) return { state: "broken", text: "ended early" };
+  const state = goalState(ended.met, ended.verdict);
+  return { state, text: ended.badge ?? ended.verdict ?? (ended.met ? "goal met" : "stopped") };
+}
+
+/** Returns the result of a round in a few words: of the last one with a result, how the run ended. */
+export function endText({ rounds, ended }: Recording, { number, plan: { kind }, interpreted, over }: Round): string {
+  if (kind === "planned") return "planned only";
+  if (kind === "logged") return "from the log";
+  if (!interpreted) return over ? "no result" : "running";
+  const isLast = rounds.findLast((round) => round.interpreted)?.number === number;
+  return (isLast ? ended?.badge : null) ?? interpreted.verdict;
+}
+
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
-const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+/** What stands for an unknown value. */
+export const DASH = "\u2013";
 
-const formatKnown = (value: number | null, text: (value: number) => string): string => (value === null ? "\u2013" : text(value));
+export const formatKnown = (value: number | null | undefined, text: (value: number) => string): string => (typeof value === "number" ? text(value) : DASH);
 
 /** Returns a table of the candidate plans, by falling score. */
 function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
@@ -87,7 +111,7 @@ export class Words {
     const instant = recording.at(clock.time);
     this.showNow(instant);
     const round = instant?.round;
-    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live].join();
+    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live, recording.ended?.badge].join();
     if (key !== this.key) {
       this.key = key;
       this.showRound(round ?? null);
@@ -109,20 +133,20 @@ export class Words {
     if (!instant) {
       say(this.headline, stage?.words ?? (!recording.live ? "The recording has no rounds." : recording.head ? "No round has begun." : "The recording is empty so far."));
       say(this.below, "");
-      for (const value of Object.values(this.live)) say(value, "\u2013");
+      for (const value of Object.values(this.live)) say(value, DASH);
       return;
     }
     const { round, time, normal, height, performance, contact } = instant;
     const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
     const over = time >= round.length - 1e-6 && round.interpreted;
-    const state = over ? round.interpreted!.verdict : phase ? phaseText(phase.name) : "starting";
+    const state = over ? endText(recording, round) : phase ? phaseText(phase.name) : "starting";
     const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
-    say(this.live.force, normal === null ? "\u2013" : `${fixed(normal, 1)} N`);
-    say(this.live.height, height === null ? "\u2013" : `${fixed(1000 * height, 1)} mm`);
+    say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
+    say(this.live.height, formatKnown(height, (metres) => `${fixed(1000 * metres, 1)} mm`));
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));
@@ -140,7 +164,7 @@ export class Words {
     const { interpreted, truth } = round;
     this.after.replaceChildren(
       el("p", { class: "w-quiet" }, `Round ${round.number}, known from ${clockText(round.end)} on.`),
-      el("p", {}, el("strong", {}, interpreted.verdict), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
+      el("p", {}, el("strong", {}, endText(this.recording, round)), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
         ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
         ...makeRow("Estimated", estimateText(interpreted.estimate)),

@@ -109,6 +109,15 @@ const cases = {
     await page.keyboard.press("+");
     assert.equal(await page.evaluate(() => wisch.view.clock.speed), 2);
     await page.keyboard.press("-");
+    // The slider takes the keys that move it, and no others.
+    await page.locator(".w-xray input").evaluate((slider) => slider.focus({ preventScroll: true }));
+    await press("]", stop);
+    await page.keyboard.press("ArrowRight");
+    near(await time(page), stop, 1e-6);
+    assert.equal(await page.locator(".w-xray input").inputValue(), "0.05");
+    await page.keyboard.press("Home");
+    await press("[", 0);
+    await page.evaluate(() => document.activeElement.blur());
 
     await page.mouse.move(left + 0.5 * span, box.y + 180);
     await page.mouse.wheel(0, -600);
@@ -263,6 +272,9 @@ const cases = {
     assert.match(tip, /performance after round 1: \d+\u202f% \(90\u202f%: .*\) estimated\nthe estimate after round 1 replaces the prediction of \d+\u202f%\ntrue performance after round 1/);
     const cover = await page.locator(".w-tip").boundingBox();
     assert.ok(cover.y + cover.height <= box.y, "the tooltip covers the lanes");
+    await page.mouse.move(box.x + 112 + (9.5 / second) * (box.width - 112 - 22), box.y + 260);
+    await drawn(page);
+    assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     await picture("time");
     assert.match(await page.locator(".w-words").innerText(), /Round 2, known from 25\.\d s on[^]*Whole run, 2 rounds[^]*Round 1\s+Strokes\s+5\s+Round 2\s+Strokes\s+2/);
     assert.deepEqual(complaints, []);
@@ -499,6 +511,14 @@ const cases = {
     await picture("map-true");
     assert.deepEqual(complaints, []);
     await page.close();
+    const phone = await show("polished-phone", lines(polished()), { width: 360, height: 780, hasTouch: true, isMobile: true });
+    await phone.page.locator(".w-layers summary").tap();
+    const top = await phone.page.evaluate(() => {
+      const [list, scale] = [".w-layers", ".w-scene-scale"].map((part) => document.querySelector(part).getBoundingClientRect());
+      return [list.bottom > scale.top, document.elementFromPoint(Math.max(list.left, scale.left) + 20, scale.top + 4).closest(".w-layers, .w-scene-scale").className];
+    });
+    assert.deepEqual(top, [true, "w-layers"], "the open list lies over the scale");
+    await phone.page.close();
     const old = await show("polished-before", lines(polished().map(({ treatment, treated, ...piece }) => piece)));
     assert.match(await old.page.locator(".w-pictures").innerText(), /This recording has no passes per place\./);
     assert.equal(await old.page.locator(".w-dots").count(), 0);
@@ -547,6 +567,15 @@ const cases = {
     const after = await cameras();
     assert.notEqual(after[0], before[0]);
     assert.equal(after[0], after[1], "the cameras are linked");
+    const button = (pane, name) => page.locator(".s-pane").nth(pane).getByRole("button", { name, exact: true });
+    await button(0, "Surface").click();
+    await button(1, "Fit").click();
+    await page.waitForTimeout(6000);
+    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames)), await cameras()];
+    await page.waitForTimeout(700);
+    assert.deepEqual(await cameras(), resting, "linked cameras come to rest");
+    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames));
+    assert.ok(more[0] - frames[0] <= 2 && more[1] - frames[1] <= 2, `frames ${frames} and ${more}`);
     await page.waitForSelector("[data-curve]");
     const curves = await page.locator("[data-curve]").evaluateAll((list) => [...new Set(list.map(({ dataset }) => dataset.curve))].sort());
     assert.deepEqual(curves, ["force-A", "force-B", "predicted-A", "predicted-B"]);

@@ -172,6 +172,33 @@ test("a force high above the surface is a push and no contact", () => {
   assert.deepEqual([0.5, 0.9, 1.2].map((t) => pushed.at(t).contact), ["contact", "pushed", "contact"]);
 });
 
+test("noise before the first landing is neither contact nor a push, and one strong sample is no push", () => {
+  const noise = (t) => 0.42 * Math.cos(70 * t);
+  for (const height of [0, 0.07]) {
+    const { contact, pushed } = roundOf(noise, () => height).rounds[0].contacts;
+    assert.deepEqual([contact, pushed], [[], []]);
+  }
+  const spike = roundOf((t) => (Math.abs(t - 1) < 0.01 ? 9 : noise(t)), () => 0.07);
+  assert.deepEqual(spike.rounds[0].contacts.pushed, []);
+});
+
+test("what contacts follow from changes with the largest force and the result, not with each sample", () => {
+  const weak = roundOf((t) => t / 2, () => 0);
+  const [{ basis }] = weak.rounds;
+  const more = { piece: "samples", round: 1, q: {}, tool: [0, 0, 0, 0, 0, 0, 1], force: [0, 0, 1], height: [0] };
+  weak.apply({ ...more, t: [2.1], normal: [1.1] });
+  assert.equal(weak.rounds[0].basis, basis);
+  weak.apply({ ...more, t: [2.2], normal: [30] });
+  assert.notEqual(weak.rounds[0].basis, basis);
+  assert.equal(weak.broken, 0);
+});
+
+test("contact is right where the intervals of a result overlap or are unsorted", () => {
+  const recording = roundOf(() => 10, () => 0, { contacts: [[1.2, 1.6], [0.2, 0.9], [0.4, 0.5]], incidents: [] });
+  assert.deepEqual(recording.rounds[0].contacts.contact, [[0.2, 0.9], [1.2, 1.6]]);
+  assert.deepEqual([0.1, 0.7, 1, 1.3].map((t) => recording.at(t).contact), ["none", "contact", "none", "contact"]);
+});
+
 test("an interval of contact without force is none in a recording of version 0.2.0", () => {
   const recording = roundOf((t) => (t > 0.95 && t < 1.55 ? 10 : 0.1), (t) => Math.abs(t - 0.3) / 10, { incidents: undefined, contacts: [[0.28, 0.33], [1, 1.5]] });
   assert.deepEqual(recording.rounds[0].contacts.contact, [[1, 1.5]]);

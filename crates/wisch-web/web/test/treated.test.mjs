@@ -55,6 +55,7 @@ test("the scene shows the prediction in a round, and the result after it", () =>
   assert.equal(kind(first.end, { believed: false, actual: false, estimated: false }), null);
   assert.equal(kind(contact + 0.1), "predicted 2.0", "the tool changes the surface again");
   assert.equal(kind(recording.duration), "true 5.0");
+  assert.equal(kind(recording.duration + 30), "true 5.0", "beside a longer recording");
 });
 
 test("a recording without values, or with those of other places, has no map", () => {
@@ -72,7 +73,7 @@ test("a treatment that cannot be drawn is refused", () => {
   const round = pieces.find(({ piece }) => piece === "round");
   const wrong = (change) => ({ ...round, treatment: { ...treatment, ...change } });
   checkPiece(wrong({}));
-  for (const change of [{ unit: "m" }, { low: 0 }, { high: 1 }, { cell: [1] }, { places: [1] }, { steps: [[0, ["a"], [1]]] }, { steps: [[0, [1]]] }, { step: null }]) {
+  for (const change of [{ unit: "m" }, { low: 0 }, { high: 1 }, { high: 2.5 }, { low: 1.5 }, { high: 1e7 }, { unit: "\u00b5m", low: 2, high: 2, target: 2 }, { cell: [1] }, { places: [1] }, { steps: [[0, ["a"], [1]]] }, { steps: [[0, [1]]] }, { step: null }]) {
     assert.throws(() => checkPiece(wrong(change)), /lacks a field/, JSON.stringify(change));
   }
 });

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { BoxGeometry, Material, Mesh, MeshBasicMaterial, PerspectiveCamera, Raycaster, Vector2, Vector3 } from "three";
 import { Recording } from "../src/store.ts";
+import { chain, cutDashes } from "../src/scene/lines.ts";
 import { Robot } from "../src/scene/robot.ts";
 import { Shots } from "../src/scene/shots.ts";
 import { Still } from "../src/scene/surface.ts";
@@ -121,4 +122,44 @@ test("a view is from the front of an upright surface, past what stands before it
   post.updateMatrixWorld(true);
   const past = chooseDirection([{ blocks: blocksOf([post]), tool: wall }], wall, new Vector3(0, -1, 0), new Vector3(0, -1, 0));
   assert.ok(!isBetween(blocksOf([post])[0], wall[0], wall[0].clone().addScaledVector(past, 1.5)));
+});
+
+test("while a run goes on, the followed strokes are the planned ones", () => {
+  const pieces = sample();
+  const begun = pieces.filter(({ piece, round = 1, t }) => piece === "head" || (round === 1 && (piece === "round" || (piece === "samples" && t[0] < 1))));
+  const { round } = open(pieces);
+  const [phase] = round.plan.phases.filter(({ contact }) => contact);
+  const live = new Recording();
+  begun.forEach((piece) => live.apply(piece));
+  const shots = new Shots(live, null, new Still(live.rounds[0], live));
+  const { points } = shots.at((phase.start + phase.end) / 2);
+  const along = (axis) => [Math.min, Math.max].map((most) => most(...points.map((point) => point[axis])));
+  for (let time = phase.start; time < phase.end; time += 0.1) {
+    const [x, y] = round.toolAt(time);
+    for (const [axis, at] of [["x", x], ["y", y]]) {
+      const [low, high] = along(axis);
+      assert.ok(low < at && at < high, `the tool is at ${axis} ${at} at ${time}, not in ${low} to ${high}`);
+    }
+  }
+});
+
+test("crossing a round's end again and again makes its outlines once", () => {
+  const { still, recording, round } = open(sample());
+  const found = round.interpreted.found;
+  const layers = { strokes: false, found: true, actual: true };
+  still.show(layers, null, found);
+  const count = still.group.children.length;
+  for (let k = 0; k < 3; k++) {
+    still.show(layers, null, recording.foundAt(0));
+    assert.equal(still.group.children.filter(({ visible }) => !visible).length, 2, "strokes and the found surface are hidden");
+    still.show(layers, null, found);
+    assert.equal(still.group.children.length, count);
+  }
+  still.dispose();
+});
+
+test("a hostile outline gets few dashes", () => {
+  const ring = [[0, 0, 0], [1e12, 0, 0], [1e12, 1e12, 0]];
+  assert.ok(cutDashes(chain(ring, true), [0.015, 0.01]).length / 6 <= 2010);
+  assert.equal(cutDashes([0, 0, 0, 0.1, 0, 0], [0.015, 0.01]).length / 6, 4, "and a small one its own");
 });

@@ -4,7 +4,6 @@ import type { Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Angles, View } from "./viewpoint.ts";
 
-export type Look = "all" | "surface" | "above";
 const TURN = Math.PI / 24;
 /** Time in which a smooth way gets by a factor of e nearer to its end [ms]. */
 const GLIDE_MS = 380;
@@ -17,6 +16,8 @@ export class Camera {
   /** End of the current smooth way, and the time of its last step [ms]. */
   private goal: View | null = null;
   private stepped = 0;
+  /** Whether a user asked for the view, which is else the first one. */
+  asked = false;
   /** Whether a user's hand is on the controls. */
   private held = false;
 
@@ -66,7 +67,10 @@ export class Camera {
     if (!view) return;
     this.goal = smooth && !matchMedia("(prefers-reduced-motion: reduce)").matches ? view : null;
     this.stepped = performance.now();
-    if (!this.goal) this.move(view);
+    this.asked = smooth;
+    if (!this.goal) return this.move(view);
+    // Linked cameras stop their own smooth ways now, so that the last request wins.
+    this.controls.dispatchEvent({ type: "change" });
   }
 
   /** Goes on along the smooth way; returns whether it continues. */
@@ -81,6 +85,18 @@ export class Camera {
     if (eye.distanceTo(goal.eye) + target.distanceTo(goal.target) < 2e-3 * eye.distanceTo(target)) this.goal = null;
     this.move(this.goal ? { target, eye } : goal);
     return this.goal !== null;
+  }
+
+  /** Takes over the view of a camera with which this one is linked; an own smooth way ends. */
+  followLinked(view: View, asked: boolean): void {
+    if (asked) this.take();
+    this.goal = null;
+    this.move(view);
+  }
+
+  /** The current view. */
+  get view(): View {
+    return { target: this.controls.target.clone(), eye: this.lens.position.clone() };
   }
 
   /** Returns the size of a metre at the distance of an object [pixels]. */
@@ -105,9 +121,10 @@ export class Camera {
     this.held = held;
   }
 
-  /** Ends a smooth way, because a user moves the camera. */
+  /** Ends a smooth way, because a user moves this or a linked camera. */
   private take(): void {
     this.goal = null;
+    this.asked = true;
     this.taken();
   }
 

@@ -85,9 +85,8 @@ export class Dirt {
     const dirty = !isTreated(round);
     this.set("believed", dirty && layers.believed ? round.particles.at(time) : null, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
-    // The previous outcome fades once the robot wipes and so changes it.
-    const touched = round.start + (round.plan.phases.find(({ contact }) => contact)?.start ?? 0.5);
-    const opacity = t <= Math.max(outcome?.since ?? 0, touched) ? 1 : 0.45;
+    // The previous outcome, or what was known before the first round, fades once the robot wipes and so changes it.
+    const opacity = recording.endedAt(t) || t < round.start + round.firstContact ? 1 : 0.45;
     this.set("estimated", dirty && layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
     this.set("actual", dirty && layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);

@@ -5,7 +5,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 
 /** Depth offset that draws lines on a surface slightly nearer. */
-export const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
+const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
 
 export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
   const geometry = new LineSegmentsGeometry();
@@ -23,13 +23,21 @@ export function chain(corners: readonly (readonly [number, number, number])[], c
   return ends;
 }
 
+/** Maximum number of dashes of an outline; the dashes of a longer one are longer. */
+const MOST_DASHES = 2000;
+
 /** Cuts segments into dashes of a pattern that goes on across corners; unlike a dashed material it takes no shader of its own. */
-export function cutDashes(ends: readonly number[], [dash, gap]: readonly [number, number]): number[] {
+export function cutDashes(ends: readonly number[], pattern: readonly [number, number]): number[] {
   const cut: number[] = [];
   let way = 0;
+  const lengthOf = (i: number) => Math.hypot(ends[i + 3]! - ends[i]!, ends[i + 4]! - ends[i + 1]!, ends[i + 5]! - ends[i + 2]!);
+  let whole = 0;
+  for (let i = 0; i + 5 < ends.length; i += 6) whole += lengthOf(i);
+  const scale = Math.max(1, whole / (MOST_DASHES * (pattern[0] + pattern[1])));
+  const [dash, gap] = [scale * pattern[0], scale * pattern[1]];
   for (let i = 0; i + 5 < ends.length; i += 6) {
     const at = (share: number) => [0, 1, 2].map((k) => ends[i + k]! + share * (ends[i + 3 + k]! - ends[i + k]!));
-    const length = Math.hypot(ends[i + 3]! - ends[i]!, ends[i + 4]! - ends[i + 1]!, ends[i + 5]! - ends[i + 2]!);
+    const length = lengthOf(i);
     for (let from = -(way % (dash + gap)); from < length; from += dash + gap) {
       const [start, end] = [Math.max(0, from), Math.min(length, from + dash)];
       if (end > start) cut.push(...at(start / length), ...at(end / length));

@@ -2,24 +2,24 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import { metres } from "../particles.ts";
 import { colour } from "../theme.ts";
-import { binOf, binsOf } from "../treated.ts";
+import { CELL_REACH, binOf, binsOf } from "../treated.ts";
 import type { SurfaceValues } from "../treated.ts";
 import { lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 
-/** The corners of a cell about its middle, in its sides; cells overlap a little, as their middles are rounded. */
-const CORNERS = [[-0.51, -0.51], [0.51, -0.51], [0.51, 0.51], [-0.51, 0.51]] as const;
+/** Directions from the middle of a cell to its corners. */
+const CORNERS = [[-1, -1], [1, -1], [1, 1], [-1, 1]] as const;
 
 /** Makes the cells of a map over their surface. */
 function makeCells({ record, shape }: SurfaceValues): BufferGeometry {
   const places = metres(record.places);
-  const [width, height] = record.cell;
+  const [across, up] = record.cell.map((side) => CELL_REACH * side) as [number, number];
   const count = places.length / 2;
   const positions = new Float32Array(12 * count);
   const index: number[] = [];
   for (let i = 0; i < count; i++) {
-    CORNERS.forEach(([x, y], k) => positions.set(lift(shape, places[2 * i]! + x * width, places[2 * i + 1]! + y * height, ABOVE / 2), 12 * i + 3 * k));
+    CORNERS.forEach(([x, y], k) => positions.set(lift(shape, places[2 * i]! + x * across, places[2 * i + 1]! + y * up, ABOVE / 2), 12 * i + 3 * k));
     index.push(4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3);
   }
   const geometry = new BufferGeometry();

@@ -8,6 +8,7 @@ import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import type { Pose } from "../recording.ts";
+import { LEAST_SAMPLES } from "../round.ts";
 import type { Contact, Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
@@ -31,8 +32,8 @@ export class Path {
   private step = STEP_M;
   private last: Vector3 | null = null;
   private kind = KINDS.none;
-  /** Whether the colours follow from the result of the round. */
-  private interpreted = false;
+  /** What the colours follow from. */
+  private basis = "";
 
   constructor(readonly round: Round) {}
 
@@ -94,9 +95,11 @@ export class Path {
 
   private grow(): void {
     const { round } = this;
-    if (this.interpreted !== Boolean(round.interpreted)) this.restart();
-    this.interpreted = Boolean(round.interpreted);
-    while (this.taken < round.count) {
+    if (this.basis !== round.basis) this.restart();
+    this.basis = round.basis;
+    // The next samples may still show that the last ones are in contact.
+    const settled = round.over || round.interpreted ? round.count : round.count - LEAST_SAMPLES + 1;
+    while (this.taken < settled) {
       const i = this.taken++;
       const time = round.t.data[i]!;
       const place = this.place(i);

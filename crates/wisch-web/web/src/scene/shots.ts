@@ -1,19 +1,24 @@
 // What the camera shows of a round: all, the surface, or, while it follows, what the current phase is about.
 import { Vector3 } from "three";
-import { normalUnder } from "./bend.ts";
-import { blocksOf, chooseDirection, cornersOf } from "./viewpoint.ts";
+import { liftLine, normalUnder } from "./bend.ts";
+import { matrix } from "./solids.ts";
+import { corners } from "./surface.ts";
+import { blocksOf, chooseDirection, cornersOf, middleOf } from "./viewpoint.ts";
 import type { Moment } from "./viewpoint.ts";
 import type { Robot } from "./robot.ts";
 import type { Still } from "./surface.ts";
+import type { RoundPiece } from "../recording.ts";
+import type { Round } from "../round.ts";
 import type { Recording } from "../store.ts";
+
+type Phase = RoundPiece["phases"][number];
 
 /** Maximum number of contact times at which sight is tested. */
 const MOMENTS = 5;
 /** The camera is close from this time before a stroke until this time after it [s]. */
 const LEAD_S = 1.5;
-/** Space around the places of the tool during a stroke [m], and their number. */
+/** Space around a planned stroke [m]. */
 const ROOM_M = 0.07;
-const PLACES = 8;
 /** Height over the surface at which its points are tested for sight [m]. */
 const OVER_M = 0.01;
 
@@ -65,19 +70,15 @@ export class Shots {
     const middle = (from + to) / 2;
     if (after && time >= Math.max(to - LEAD_S, Math.min(middle, to))) return this.stroke(after);
     if (before && next !== 0 && time < Math.min(from + LEAD_S, middle)) return this.stroke(before);
-    const points = [from, middle, to].flatMap((instant) => this.all(instant));
-    return { key: `${round.number} free ${from}`, points };
+    // A live run does not have the samples of the whole motion yet, but it leads from one planned stroke to another.
+    const measured = [from, middle, to].filter((instant) => round.over || instant <= round.t.last);
+    const ends = [before, after].flatMap((phase) => (phase ? strokePoints(round, phase) : []));
+    return { key: `${round.number} free ${from}`, points: [...(measured.length ? measured : [time]).flatMap((instant) => this.all(instant)), ...ends] };
   }
 
-  private stroke({ start, end }: { start: number; end: number }): Shot {
-    const { round } = this.still;
-    const points: Vector3[] = [];
-    for (let k = 0; k <= PLACES; k++) {
-      const tool = round.toolAt(start + ((end - start) * k) / PLACES);
-      if (!tool) continue;
-      for (let c = 0; c < 8; c++) points.push(new Vector3(tool[0] + (c & 1 ? ROOM_M : -ROOM_M), tool[1] + (c & 2 ? ROOM_M : -ROOM_M), tool[2] + (c & 4 ? ROOM_M : 0)));
-    }
-    return { key: `${round.number} stroke ${start}`, points: points.length ? points : this.surface() };
+  private stroke(phase: Phase): Shot {
+    const points = strokePoints(this.still.round, phase);
+    return { key: `${this.still.round.number} stroke ${phase.start}`, points: points.length ? points : this.surface() };
   }
 
   private get surfaceCorners(): Vector3[] {
@@ -108,7 +109,7 @@ export class Shots {
       return { blocks: this.robot ? blocksOf(this.robot.limbs) : [], tool: this.robot ? [this.robot.toolPlace, ...cornersOf([this.robot.tool])] : [] };
     });
     const corners = this.surfaceCorners;
-    const middle = corners.reduce((sum, corner) => sum.addScaledVector(corner, 1 / corners.length), new Vector3());
+    const middle = middleOf(corners);
     const normal = normalUnder(plan.surface, middle);
     const points = [middle, ...corners.map((corner) => corner.clone().lerp(middle, 0.15))].map((point) => point.clone().addScaledVector(normal, OVER_M));
     // Looking towards the robot shows its face.
@@ -116,6 +117,16 @@ export class Shots {
     if (preferred.setZ(0).length() < 1e-3) preferred.set(1, 0, 0);
     return chooseDirection(moments, points, normal, preferred.normalize().setZ(0.6).normalize());
   }
+}
+
+/** Returns points around a planned stroke, in the world. */
+export function strokePoints({ plan: { strokes, surface } }: Round, { stroke }: Phase): Vector3[] {
+  const line = liftLine(surface.shape, corners(strokes[stroke ?? -1] ?? []), false);
+  const worldFromSurface = matrix(surface.pose);
+  return line.flatMap((corner) => {
+    const { x, y, z } = new Vector3(...corner).applyMatrix4(worldFromSurface);
+    return Array.from({ length: 8 }, (_, c) => new Vector3(x + (c & 1 ? ROOM_M : -ROOM_M), y + (c & 2 ? ROOM_M : -ROOM_M), z + (c & 4 ? ROOM_M : 0)));
+  });
 }
 
 const orSome = (points: Vector3[]): Vector3[] => (points.length ? points : [new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5)]);

@@ -11,7 +11,7 @@ import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
 import { geometryOf, matrix, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
-import { blocksOf, cornersOf, isBetween } from "./viewpoint.ts";
+import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
 import { type Bend, trueShape } from "../store.ts";
 import type { Recording } from "../store.ts";
@@ -43,10 +43,8 @@ export class Still {
   private readonly obstacles: Mesh<BufferGeometry, Material>[] = [];
   private sights: Vector3[] | null = null;
   surface: Mesh | null = null;
-  private found: Group | null = null;
-  private actual: Object3D | null = null;
-  private foundAt: Pose | null = null;
-  private actualAt: Pose | null = null;
+  /** Outlines of found and true surfaces by their poses. */
+  private readonly outlines = new Map<Pose, Group>();
   private readonly strokes: Object3D[] = [];
   private readonly strokeGroup = new Group();
   private readonly materials: Material[] = [];
@@ -82,27 +80,28 @@ export class Still {
   /** Shows the outlines of the true surface and of the one that is known as found, and emphasises the current stroke. */
   show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, found: Pose | null): void {
     const { truth } = this.round;
-    if (found !== this.foundAt) {
-      this.foundAt = found;
-      if (this.found) this.group.remove(this.found);
-      this.found = found ? this.outlineAt(found, this.round.plan.surface.shape, "found", 0.28) : null;
-      if (this.found) this.group.add(this.found);
-    }
     const actual = truth?.surface ?? null;
-    if (actual !== this.actualAt) {
-      this.actualAt = actual;
-      if (this.actual) this.group.remove(this.actual);
-      this.actual = actual ? this.outlineAt(actual, trueShape(truth, this.round.plan.surface.shape), "actual", 0) : null;
-      if (this.actual) this.group.add(this.actual);
-    }
-    if (this.found) this.found.visible = layers.found;
-    if (this.actual) this.actual.visible = layers.actual;
+    const { shape } = this.round.plan.surface;
+    for (const outline of this.outlines.values()) outline.visible = false;
+    if (found && layers.found) this.showOutline(found, () => this.outlineAt(found, shape, "found", 0.28));
+    if (actual && layers.actual) this.showOutline(actual, () => this.outlineAt(actual, trueShape(truth, shape), "actual", 0));
     this.strokeGroup.visible = layers.strokes;
     this.strokes.forEach((line, i) => {
       const material = (line as unknown as { material: LineMaterial }).material;
       material.linewidth = i === stroke ? 9 : 6;
       material.opacity = i === stroke ? 0.6 : 0.35;
     });
+  }
+
+  /** Shows the outline at a pose, and makes it first if there is none. */
+  private showOutline(pose: Pose, make: () => Group): void {
+    let outline = this.outlines.get(pose);
+    if (!outline) {
+      outline = make();
+      this.outlines.set(pose, outline);
+      this.group.add(outline);
+    }
+    outline.visible = true;
   }
 
   /** Makes furniture between the camera and the surface translucent. */
@@ -159,7 +158,7 @@ export class Still {
   private makeSights(surface: Mesh): Vector3[] {
     this.group.updateMatrixWorld(true);
     const corners = cornersOf([surface]);
-    const middle = corners.reduce((sum, corner) => sum.addScaledVector(corner, 1 / corners.length), new Vector3());
+    const middle = middleOf(corners);
     return [middle, ...corners.map((corner) => corner.lerp(middle, 0.1))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), SIGHT_M));
   }
 
@@ -182,7 +181,9 @@ export class Still {
     const group = placeAt(new Group(), pose);
     const line = this.keep(new LineMaterial({ linewidth: tint ? 3 : 2 }), name);
     const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (tint ? 1 : 2) * ABOVE]), true), true));
-    group.add(segments(tint ? ends : cutDashes(ends, [DASH_M * TRUTH_DASH[0], DASH_M * TRUTH_DASH[1]]), line));
+    const outline = segments(tint ? ends : cutDashes(ends, [DASH_M * TRUTH_DASH[0], DASH_M * TRUTH_DASH[1]]), line);
+    this.own(outline.geometry);
+    group.add(outline);
     const face = tint ? this.face() : null;
     if (face) {
       const material = new MeshLambertMaterial({ transparent: true, opacity: tint, depthWrite: false });

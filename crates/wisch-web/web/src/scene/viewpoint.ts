@@ -97,6 +97,9 @@ export function chooseDirection(moments: readonly Moment[], surface: readonly Ve
   return best;
 }
 
+/** Returns the mean of points. */
+export const middleOf = (points: readonly Vector3[]): Vector3 => points.reduce((sum, point) => sum.addScaledVector(point, 1 / points.length), new Vector3());
+
 /** Returns where to look at and where to look from, so that all points are seen as near as possible; null without points. */
 export function fit(points: readonly Vector3[], from: Vector3, { high, wide }: Angles): View | null {
   if (!points.length) return null;

@@ -2,15 +2,14 @@
 import { clockText, el, fixed, percent, svg } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
-import { estimateText, goalState } from "../words.ts";
+import { DASH, estimateText, formatKnown, stateOf } from "../words.ts";
 import type { Clock } from "../clock.ts";
 import type { PlotColumn } from "../columns.ts";
-import type { Estimate } from "../recording.ts";
 import type { Round } from "../round.ts";
 import type { Recording } from "../store.ts";
 
 /** Letters of the compared recordings. */
-export const LETTERS = ["A", "B"] as const;
+const LETTERS = ["A", "B"] as const;
 /** Interval between redraws while a recording grows [ms]. */
 const EVERY_MS = 500;
 const [LEFT, RIGHT, AXIS] = [52, 14, 18];
@@ -28,14 +27,13 @@ interface Fact {
 export interface Difference {
   label: string;
   texts: [string, string];
-  /** Second minus first, "differs", or empty for equal texts. */
+  /** Second minus first, "differs", empty for equal texts, or a dash where both are unknown. */
   by: string;
 }
 
-const DASH = "\u2013";
 const signed = (unit: string, digits: number, factor = 1) => (difference: number): string => {
   const text = fixed(factor * difference, digits);
-  return `${difference > 0 ? "+" : ""}${text}\u202f${unit}`;
+  return `${difference > 0 ? "+" : ""}${text}${unit && `\u202f${unit}`}`;
 };
 const points = signed("points", 0, 100);
 
@@ -60,37 +58,34 @@ function countEvents({ happenings }: Recording): string {
   return [...counts].map(([kind, count]) => `${count} \u00d7 ${kind}`).join(", ") || "none";
 }
 
-const known = (value: number | null | undefined, text: (value: number) => string): string => (typeof value === "number" ? text(value) : DASH);
-
-const interval = ({ low, high }: Estimate): string => `(${percent(low)} to ${percent(high)})`;
-
 function factsOf(recording: Recording): Fact[] {
-  const { head, rounds, ended, live } = recording;
+  const { head, rounds, ended } = recording;
+  const { state, text } = stateOf(recording);
   const task = head?.task;
   const chosen = rounds.flatMap(({ plan }) => plan.considered?.find((one) => one.chosen)?.strategy ?? []);
   const last = rounds.findLast(({ interpreted }) => interpreted) ?? rounds.at(-1);
   const interpreted = last?.interpreted;
-  const unknown = ended ? goalState(ended.met, ended.verdict) === "unknown" : false;
+  const unknown = state === "unknown";
   const predicted = last?.plan.predicted ?? null;
   const actual = last?.truth?.performance ?? null;
   const peak = Math.max(...rounds.map(({ normal }) => normal.largest));
   const way = contactWay(recording);
-  const estimate = interpreted ? (unknown ? `${ended!.verdict} ${interval(interpreted.estimate)}` : `${percent(interpreted.estimate.mean)} ${interval(interpreted.estimate)}`) : DASH;
+  const estimate = interpreted ? estimateText(interpreted.estimate, unknown ? ended!.verdict! : undefined) : DASH;
   return [
     { label: "Task", text: task ? `${task.action} on ${task.surface}` : DASH },
     { label: "Medium", text: task?.medium ?? DASH },
     { label: "Tool", text: task?.tool ?? DASH },
     { label: "Strategy", text: task ? [task.strategy, ...(chosen.length ? [`chosen: ${chosen.join(", ")}`] : [])].join("; ") : DASH },
-    { label: "Target", text: known(task?.target, percent), value: task?.target ?? null, by: points },
+    { label: "Target", text: formatKnown(task?.target, percent), value: task?.target ?? null, by: points },
     { label: "Rounds", text: String(rounds.length), value: rounds.length, by: signed("", 0) },
-    { label: "Predicted, last round", text: known(predicted, percent), value: predicted, by: points },
-    { label: "Estimated, with 90\u202f% interval", text: estimate, value: unknown ? null : interpreted?.estimate.mean ?? null, by: points },
-    { label: "True, last round", text: known(actual, percent), value: actual, by: points },
-    { label: "Way in contact", text: known(way, (metres) => `${fixed(metres, 2)} m`), value: way, by: signed("m", 2) },
+    { label: "Predicted, last round", text: formatKnown(predicted, percent), value: predicted, by: points },
+    { label: "Estimated, last round", text: estimate, value: unknown ? null : interpreted?.estimate.mean ?? null, by: points },
+    { label: "True, last round", text: formatKnown(actual, percent), value: actual, by: points },
+    { label: "Way in contact", text: formatKnown(way, (metres) => `${fixed(metres, 2)} m`), value: way, by: signed("m", 2) },
     { label: "Duration", text: clockText(recording.duration), value: recording.duration, by: signed("s", 1) },
     { label: "Largest force", text: peak > 0 ? `${fixed(peak, 1)} N` : DASH, value: peak > 0 ? peak : null, by: signed("N", 1) },
     { label: "Events", text: countEvents(recording) },
-    { label: "Result", text: ended ? ended.verdict ?? "stopped" : live ? "running" : "ended early" },
+    { label: "Result", text },
   ];
 }
 
@@ -100,7 +95,8 @@ export function differencesOf(first: Recording, second: Recording): Difference[]
   return factsOf(first).map(({ label, text, value, by }, i) => {
     const other = others[i]!;
     const isKnown = typeof value === "number" && typeof other.value === "number";
-    return { label, texts: [text, other.text], by: text === other.text ? "" : isKnown ? by!(other.value! - value) : "differs" };
+    const same = (by ? isKnown : text !== DASH) ? "" : DASH;
+    return { label, texts: [text, other.text], by: text === other.text ? same : isKnown ? by!(other.value! - value) : "differs" };
   });
 }
 
@@ -236,6 +232,6 @@ function makeTable(differences: Difference[]): HTMLElement {
   const heads = ["", ...LETTERS, "B \u2212 A"];
   return el("table", {},
     el("thead", {}, el("tr", {}, ...heads.map((name) => el("th", { scope: "col" }, name)))),
-    el("tbody", {}, ...differences.map(({ label, texts, by }) => el("tr", { "data-differs": String(by !== "") },
+    el("tbody", {}, ...differences.map(({ label, texts, by }) => el("tr", { "data-differs": String(by !== "" && by !== DASH) },
       el("th", { scope: "row" }, label), ...texts.map((words) => el("td", { title: words }, words)), el("td", {}, by || "same")))));
 }

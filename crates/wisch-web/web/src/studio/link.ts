@@ -21,9 +21,8 @@ export function linkCameras(list: readonly Linked[]): () => void {
       for (const other of list) {
         if (!other.camera || other.camera === camera) continue;
         const shift = anchorOf(other.recording).sub(anchorOf(recording));
-        other.camera.controls.target.copy(camera.controls.target).add(shift);
-        other.camera.lens.position.copy(camera.lens.position).add(shift);
-        other.camera.controls.update();
+        const { target, eye } = camera.view;
+        other.camera.followLinked({ target: target.add(shift), eye: eye.add(shift) }, camera.asked);
       }
       copying = false;
     };

@@ -27,9 +27,6 @@ async function read(id: string): Promise<Recording> {
   return recording;
 }
 
-/** Whether a recording is cached. */
-export const isHere = (id: string): boolean => cache.has(id);
-
 function keep(id: string, recording: Recording): void {
   cache.set(id, recording);
   const [oldest] = cache.keys();

@@ -4,7 +4,7 @@ import { el, percent, say } from "../dom.ts";
 import { Story } from "../story.ts";
 import { mountView } from "../view.ts";
 import type { View } from "../view.ts";
-import { goalState } from "../words.ts";
+import { stateOf } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";
 import { Comparison, makeLetter } from "./compare.ts";
@@ -87,7 +87,7 @@ export class Stage {
 
   private makePane(source: Source, shared: Clock | undefined, i: number): Pane {
     const { recording } = source;
-    const head = new Head(source, !shared, this.actions);
+    const head = new Head(source, !shared, this.actions, (time) => view.seek(time));
     if (shared) head.element.prepend(makeLetter(i));
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
@@ -159,10 +159,10 @@ class Head {
   private readonly summary: Story;
   private wasLive: boolean;
 
-  constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions) {
+  constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions, seek: (time: number) => void) {
     const { recording, id } = source;
     this.wasLive = source.live !== null;
-    this.summary = new Story(recording);
+    this.summary = new Story(recording, seek);
     this.story = el("div", { class: "s-story", hidden: true }, this.summary.element);
     this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => void this.stopIt(id) }, "Stop");
     this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Summary");
@@ -193,13 +193,13 @@ class Head {
     const { recording, live, id } = this.source;
     say(this.title, recording.head?.title ?? id);
     const interpreted = recording.rounds.findLast((round) => round.interpreted)?.interpreted;
-    const { ended } = recording;
+    const { state, text } = stateOf(recording);
     const parts: Node[] = [];
     if (interpreted) {
       const { mean, low, high } = interpreted.estimate;
       parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
     }
-    if (ended) parts.push(el("span", { class: "s-badge", "data-state": ended.verdict ? goalState(ended.met, ended.verdict) : "none" }, ended.verdict ?? "stopped"));
+    if (recording.ended || state === "planned" || state === "logged") parts.push(el("span", { class: "s-badge", "data-state": state }, text));
     this.result.replaceChildren(...parts);
     const connection = live?.connection ?? "ended";
     this.connection.dataset.state = connection;

@@ -1,6 +1,7 @@
 // Lanes of the timeline: rounds, phases and strokes, contact, events.
 import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
+import { endText } from "../words.ts";
 import { TRUTH_DASH, drawFitted, drawLine, font, ticks } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
@@ -40,17 +41,10 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
     pen.roundRect(from + 0.5, lane.top, Math.max(1, to - from - 1), lane.height, 4);
     pen.fill();
     pen.fillStyle = colour("ink");
-    drawFitted(pen, roundTitle(round, recording), from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
+    drawFitted(pen, `${round.number} \u00b7 ${endText(recording, round)}`, from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
     if (round.start > frame.from) drawLine(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
   }
 }
-
-/** Returns number and result of a round: of the last one, how the run ended. */
-const roundTitle = (round: Round, { rounds, ended }: Recording): string => {
-  const badge = round === rounds.at(-1) ? ended?.badge : null;
-  const result = round.interpreted ? badge ?? round.interpreted.verdict : round.plan.kind === "planned" ? "planned only" : round.plan.kind === "logged" ? "from the log" : round.over ? "no result" : "running";
-  return `${round.number} \u00b7 ${result}`;
-};
 
 export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   font(pen, 10.5);

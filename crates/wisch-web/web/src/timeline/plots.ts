@@ -109,7 +109,10 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
     }
   });
   recording.rounds.forEach((round, i) => {
-    if (round.interpreted && round.end >= frame.from && round.end <= frame.to + 1e-9) drawResult(pen, frame, round, recording.rounds[i + 1], y);
+    if (!round.interpreted || round.end > frame.to + 1e-9) return;
+    const band = bandOf(frame, round, recording.rounds[i + 1]);
+    if (band) drawBand(pen, band, round.interpreted.estimate, y);
+    if (round.end >= frame.from) drawResult(pen, frame, round, y);
   });
   if (target === undefined) return;
   font(pen, 10);
@@ -139,17 +142,27 @@ function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   pen.lineCap = "butt";
 }
 
-/** Draws what is known from a round's end on: the estimate as a band until the next stroke, an arrow from the prediction that
- * it replaces, the estimate from touch, and the true performance. */
-function drawResult(pen: Pen, frame: Frame, round: Round, next: Round | undefined, y: Scale): void {
-  const { estimate, by_touch } = round.interpreted!;
+/** Returns left and right end of the band in which an estimate holds, until the next stroke; null where it is not visible. */
+export function bandOf(frame: Frame, round: Round, next: Round | undefined): [number, number] | null {
   const x = frame.x(round.end);
   const until = next ? frame.x(next.start + next.firstContact) : 0;
-  const to = Math.min(Math.max(x + BAND_PX, until), frame.width - 4);
+  const [from, to] = [Math.max(x, frame.left), Math.min(Math.max(x + BAND_PX, until), frame.width - 4)];
+  return to > from ? [from, to] : null;
+}
+
+/** Draws an estimate with its interval. */
+function drawBand(pen: Pen, [from, to]: [number, number], { mean, low, high }: Estimate, y: Scale): void {
   pen.fillStyle = colour("interval");
-  pen.fillRect(x, y(estimate.high), to - x, Math.max(1, y(estimate.low) - y(estimate.high)));
-  for (const bound of [estimate.low, estimate.high]) drawLine(pen, x, y(bound), to, y(bound), "estimated", 1);
-  drawLine(pen, x, y(estimate.mean), to, y(estimate.mean), "estimated", 2.4);
+  pen.fillRect(from, y(high), to - from, Math.max(1, y(low) - y(high)));
+  for (const bound of [low, high]) drawLine(pen, from, y(bound), to, y(bound), "estimated", 1);
+  drawLine(pen, from, y(mean), to, y(mean), "estimated", 2.4);
+}
+
+/** Draws what becomes known at a round's end: an arrow from the prediction to the estimate that replaces it, the estimate from
+ * touch, and the true performance. */
+function drawResult(pen: Pen, frame: Frame, round: Round, y: Scale): void {
+  const { estimate, by_touch } = round.interpreted!;
+  const x = frame.x(round.end);
   const predicted = round.growthAt(round.length);
   if (predicted !== null) drawJump(pen, x, y(predicted), y(estimate.mean));
   // Without a camera both estimates are one.
