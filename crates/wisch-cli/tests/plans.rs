@@ -40,16 +40,13 @@ fn all_commands_make_the_same_plan_of_every_scenario() {
     for scenario in scenarios() {
         let name = scenario.file_stem().unwrap().to_string_lossy().into_owned();
         let out = |command: &str| folder.path().join(format!("{name}-{command}"));
-        // Of a search, a few plans are enough.
-        let few = ["--set", "plan.evaluations=5000"];
-        let with_few = |words: &[&'static str]| [words, &few].concat();
-        let planned = plan(&with_few(&["plan"]), &scenario, &out("plan"));
+        let planned = plan(&["plan"], &scenario, &out("plan"));
         assert_eq!(
-            plan(&with_few(&["predict"]), &scenario, &out("predict")),
+            plan(&["predict"], &scenario, &out("predict")),
             planned,
             "{name}"
         );
-        let blind = with_few(&["run", "--robot", "none"]);
+        let blind = ["run", "--robot", "none"];
         assert_eq!(plan(&blind, &scenario, &out("run")), planned, "{name}");
     }
 }

@@ -225,7 +225,6 @@ impl PageSink {
                 truth: last.and_then(|last| last.truth.as_ref()?.performance),
                 facts: &facts_of(loaded, results),
                 task_arguments: name_task(loaded).as_deref(),
-                max_rounds: loaded.run.max_rounds,
                 after_stop: loaded.run.after_stop,
             },
             episode,

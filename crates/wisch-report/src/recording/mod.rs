@@ -132,6 +132,8 @@ pub struct RecordingWriter<W> {
     target: f64,
     /// The places of a treated surface; `None` for dirt.
     treated: Option<TreatedPlaces>,
+    /// Number of the last round whose planning began.
+    begun: usize,
 }
 
 impl<W: Write> RecordingWriter<W> {
@@ -148,6 +150,7 @@ impl<W: Write> RecordingWriter<W> {
             batch: Batch::default(),
             target: 0.0,
             treated: None,
+            begun: 0,
         }
     }
 
@@ -209,6 +212,7 @@ impl<W: Write> RecordingWriter<W> {
     pub fn record_event(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
         match *event {
             RunEvent::Planning { round } => {
+                self.begun = round;
                 self.frames = None;
                 self.considered.clear();
                 self.stage(round, "planning", "planning".to_owned())
@@ -305,7 +309,7 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// If the output cannot be written.
     pub fn end(&mut self, outcome: &RunOutcome<'_>, episode: Option<&str>) -> io::Result<()> {
-        write(&mut self.output, &Ended::new(outcome, episode))
+        write(&mut self.output, &Ended::new(outcome, self.begun, episode))
     }
 
     fn executing(&mut self, planned: &PlannedRound) -> io::Result<()> {

@@ -35,8 +35,6 @@ pub struct RunOutcome<'a> {
     /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings; `None` if
     /// no file has the task.
     pub task_arguments: Option<&'a str>,
-    /// Limit of the number of rounds.
-    pub max_rounds: usize,
     /// What the robot does after a stop that does not continue by itself.
     pub after_stop: AfterStop,
 }
@@ -79,19 +77,23 @@ impl NextStep {
 }
 
 impl<'a> Ended<'a> {
-    pub(super) fn new(outcome: &RunOutcome<'a>, episode: Option<&'a str>) -> Self {
+    /// `begun`: number of the last round whose planning began.
+    pub(super) fn new(outcome: &RunOutcome<'a>, begun: usize, episode: Option<&'a str>) -> Self {
         let task = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
-            Some((last, rounds)) => summarise_execution(outcome, task, last, rounds),
+            Some((last, rounds)) => {
+                let end = RunEnd::of(outcome, last, begun);
+                summarise_execution(outcome, task, (last, rounds), end)
+            }
             None => summarise_prediction(outcome, task),
         };
         Self {
             piece: "ended",
             met: outcome.is_met,
             verdict: outcome.last.map(|(last, _)| last.verdict.as_str()),
-            badge: outcome.last.map(|(last, rounds)| {
+            badge: outcome.last.map(|(last, _)| {
                 let goal = assess_goal(last.verdict, &last.interpretation, outcome.target);
-                RunEnd::of(outcome, last, rounds).badge(goal)
+                RunEnd::of(outcome, last, begun).badge(goal)
             }),
             story,
             facts: outcome.facts,
@@ -118,7 +120,8 @@ enum RunEnd {
 }
 
 impl RunEnd {
-    fn of(outcome: &RunOutcome<'_>, last: &Round, rounds: usize) -> Self {
+    /// `begun`: number of the last round whose planning began.
+    fn of(outcome: &RunOutcome<'_>, last: &Round, begun: usize) -> Self {
         let claim = Claim::assess(&last.interpretation.distribution, outcome.target);
         match (last.verdict, &last.execution.ending) {
             (Verdict::Again, Ending::Stopped) if outcome.after_stop == AfterStop::Wait => {
@@ -129,8 +132,8 @@ impl RunEnd {
             {
                 Self::ProtectiveStop
             }
-            (Verdict::Again, _) if rounds >= outcome.max_rounds => Self::NoRoundsLeft,
-            (Verdict::Again, _) => Self::Interrupted,
+            (Verdict::Again, _) if begun > last.motion.number => Self::Interrupted,
+            (Verdict::Again, _) => Self::NoRoundsLeft,
             (Verdict::NothingToGain, _) if claim.holds() => Self::TooManyPasses,
             (verdict, _) => Self::Verdict(verdict),
         }
@@ -177,8 +180,8 @@ impl RunEnd {
 fn summarise_execution(
     outcome: &RunOutcome<'_>,
     asked: String,
-    last: &Round,
-    rounds: usize,
+    (last, rounds): (&Round, usize),
+    end: RunEnd,
 ) -> Story {
     let found = &last.interpretation;
     let count = words::format_count(rounds, "round");
@@ -199,7 +202,6 @@ fn summarise_execution(
     } else {
         format!("The log does not show the performance after {count}; {mean} is a guess.")
     };
-    let end = RunEnd::of(outcome, last, rounds);
     let goal = assess_goal(last.verdict, found, outcome.target);
     let goal_words = match goal {
         Verdict::GoalMet => "The goal is met.",
