@@ -122,10 +122,10 @@ fn signals_end_the_program_in_order() {
 const STUBBORN: &str = r#"#!/bin/bash
 while [ $# -gt 0 ]; do [ "$1" = --memory ] && memory=$2; shift; done
 trap 'trap "touch \"$0.ended\"; exit 130" TERM' TERM
+echo $$ > "$0.new" && mv "$0.new" "$0.pid"
 mkdir -p "$memory/.live"
 echo '{"piece":"head"}' > "$memory/.live/20261124-010000-0001.jsonl"
 echo '{"pid":'$$',"task":"board"}' > "$memory/.live/20261124-010000-0001.json"
-echo $$ > "$0.new" && mv "$0.new" "$0.pid"
 while :; do sleep 0.02; done
 "#;
 
