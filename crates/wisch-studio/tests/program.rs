@@ -150,12 +150,14 @@ fn no_run_outlives_the_studio() {
         let run = fs::read_to_string(place.path().join("wisch.pid")).unwrap();
         let run = Pid::from_raw(run.trim().parse().unwrap()).unwrap();
         program.end(signal);
-        if signal == Signal::KILL {
+        let ended = place.path().join("wisch.ended");
+        if signal == Signal::TERM {
+            assert!(ended.is_file(), "the studio waits for its runs");
+        } else {
             // The kernel has asked once. Without that, this request would be the first, and the run would go on.
             std::thread::sleep(Duration::from_millis(500));
             kill_process(run, Signal::TERM).unwrap();
         }
-        let ended = place.path().join("wisch.ended");
         wait_until("the run ends", || ended.is_file());
     }
 }

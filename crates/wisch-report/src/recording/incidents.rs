@@ -42,7 +42,7 @@ pub(super) fn find_incidents(round: &Round) -> Vec<Incident> {
     incidents.extend(describe_pose(round));
     // The prediction leaves abandoned nodes out, and not every doubt means less wiping.
     let is_explained = !incidents.is_empty();
-    incidents.extend(describe_doubts(round));
+    incidents.extend(describe_log_problems(round));
     incidents.extend(describe_abandoned(round));
     match &round.execution.ending {
         Ending::Complete => incidents.extend(describe_shortfall(round, is_explained)),
@@ -182,7 +182,7 @@ fn format_pose(world_from_surface: &Pose) -> String {
 }
 
 /// Describes each reason to doubt the log, but for hand guiding that is an event.
-fn describe_doubts(round: &Round) -> impl Iterator<Item = Incident> {
+fn describe_log_problems(round: &Round) -> impl Iterator<Item = Incident> {
     let found = &round.interpretation;
     let is_guided = (found.events.iter()).any(|event| event.kind == EventKind::HandGuiding);
     let doubts = found

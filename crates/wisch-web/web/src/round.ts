@@ -1,7 +1,7 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
 import { ParticleTrack } from "./particles.ts";
-import { ValueTrack } from "./treated.ts";
+import { ValueTrack } from "./values.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
 /** Without a result, a force counts if it exceeds both this share of the round's largest normal force [1], in steps of STEP_N [N],
