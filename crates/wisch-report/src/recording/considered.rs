@@ -1,8 +1,9 @@
 //! The candidate plans of a round.
 
+use super::particles::line;
 use super::samples::round_to;
 use serde::Serialize;
-use wisch::plan::Plan;
+use wisch::plan::{Plan, Stroke};
 use wisch::run::CandidateEvaluation;
 
 /// A candidate plan; missing figures are null.
@@ -20,6 +21,9 @@ pub(super) struct ConsideredRecord {
     in_contact: Option<f64>,
     /// Duration of the robot's motion [s].
     duration: Option<f64>,
+    /// Its strokes, corners in turn; only of a candidate that was not chosen.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) lines: Vec<Vec<i64>>,
     /// Reason for a missing plan.
     error: Option<String>,
 }
@@ -40,6 +44,11 @@ impl ConsideredRecord {
             strokes: plan.map(|plan| plan.strokes.len()),
             in_contact: plan.map(|plan| round_to(Plan::contact_distance(plan), 1e3)),
             duration: one.motion.map(|motion| round_to(motion.duration, 1e2)),
+            lines: plan.map_or_else(Vec::new, |plan| {
+                let corners =
+                    |stroke: &Stroke| line(stroke.poses.iter().map(|pose| &pose.position));
+                plan.strokes.iter().map(corners).collect()
+            }),
             error: found.err().map(ToString::to_string),
         }
     }

@@ -1,7 +1,7 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
 use super::incidents::{Incident, find_incidents};
-use super::particles::flat_remaining;
+use super::particles::{DensityRecord, find_density, flat_remaining};
 use super::samples::round_to;
 use super::surface::BendRecord;
 use super::treated::TreatedPlaces;
@@ -28,6 +28,8 @@ pub(super) struct Interpreted {
     contacts: Vec<[f64; 2]>,
     incidents: Vec<Incident>,
     particles: Vec<i64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    density: Option<DensityRecord>,
     /// Mean values of the treated places over the belief, in steps.
     #[serde(skip_serializing_if = "Option::is_none")]
     treated: Option<Vec<i64>>,
@@ -93,6 +95,7 @@ impl Interpreted {
                         .unwrap_or(&motion.task.particles),
                 ),
             },
+            density: places.is_none().then(|| find_density(&found.belief)),
             treated: places.and_then(|places| places.mean_values(&found.belief)),
         }
     }

@@ -10,6 +10,7 @@ mod interpreted;
 mod logged;
 mod particles;
 mod phases;
+mod reasons;
 mod robot;
 mod round;
 mod samples;

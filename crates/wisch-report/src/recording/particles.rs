@@ -1,12 +1,21 @@
 //! Particles over time, each step as its difference from the step before.
 
+use super::samples::round_to;
 use crate::scene::tenth;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::geometry::Point2;
+use wisch::interpret::Belief;
 use wisch::represent::ParticleDistribution;
 
 /// Maximum number of particles that are shown at one time.
 const MAX_SHOWN: usize = 1_500;
+/// Smallest side of a cell of a belief's density [m].
+const DENSITY_CELL: f64 = 0.01;
+/// Smallest expected number of particles of a shown cell.
+const LEAST_EXPECTED: f64 = 0.02;
+/// Maximum number of cells of a density.
+const MAX_CELLS: usize = 4_000;
 /// Maximum number of changes of particles in a round.
 const MAX_CHANGES: usize = 24_000;
 
@@ -55,7 +64,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
         budget = budget.saturating_sub(changes);
         next.extend(&added);
         now = next;
-        let time = super::samples::round_to(moment.time, 1e3);
+        let time = round_to(moment.time, 1e3);
         steps.push((time, removed, added.into_flattened()));
     }
     steps
@@ -77,6 +86,53 @@ pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<
         .filter(|place| is_shown(*place, one_in))
         .flatten()
         .collect()
+}
+
+/// The density of a belief.
+#[derive(Debug, Serialize)]
+pub(super) struct DensityRecord {
+    /// Side of a square cell [m].
+    cell: f64,
+    /// Middles of the cells.
+    places: Vec<i64>,
+    /// Expected number of particles in each cell.
+    expected: Vec<f64>,
+}
+
+/// Returns the expected number of particles on the surface in each cell; cells that hold next to none are left out. The
+/// cells are as small as [`MAX_CELLS`] allows.
+pub(super) fn find_density(belief: &Belief) -> DensityRecord {
+    let mut cell = DENSITY_CELL;
+    loop {
+        let found = count_expected(belief, cell);
+        if found.len() <= MAX_CELLS {
+            let (places, expected): (Vec<[i64; 2]>, Vec<f64>) = (found.into_iter())
+                .map(|(index, count)| (index.map(|side| tenth((side as f64 + 0.5) * cell)), count))
+                .unzip();
+            return DensityRecord {
+                cell,
+                places: places.into_flattened(),
+                expected,
+            };
+        }
+        cell *= 2.0;
+    }
+}
+
+fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {
+    let total: f64 = belief.weights().iter().sum();
+    let mut cells: BTreeMap<[i64; 2], f64> = BTreeMap::new();
+    for (member, weight) in belief.members().iter().zip(belief.weights()) {
+        for place in member.remaining() {
+            let index = [place.x, place.y].map(|side| (side / cell).floor() as i64);
+            *cells.entry(index).or_default() += weight / total;
+        }
+    }
+    for count in cells.values_mut() {
+        *count = round_to(*count, 1e2);
+    }
+    cells.retain(|_, count| *count >= LEAST_EXPECTED);
+    cells
 }
 
 /// Returns all points: x, y alternating, in tenths of a millimetre.

@@ -4,6 +4,7 @@ use super::considered::ConsideredRecord;
 use super::logged::{self, Log, LoggedRound};
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::phases::{PhaseRecord, phases};
+use super::reasons::Reasons;
 use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
 use super::surface::SurfaceRecord;
 use super::treated::{TreatedPlaces, TreatmentRecord};
@@ -37,6 +38,8 @@ pub(super) struct RoundPiece {
     why: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     considered: Vec<ConsideredRecord>,
+    #[serde(flatten)]
+    reasons: Reasons,
     #[serde(flatten)]
     log: Option<Log>,
 }
@@ -84,6 +87,7 @@ impl RoundPiece {
             kind: "executed",
             root: Some(seven(planned.cell.world_from_root())),
             task: &planned.task,
+            plan: &planned.plan,
             wiped: &wiped,
             followed,
             frames,
@@ -108,6 +112,7 @@ impl RoundPiece {
             kind: "planned",
             root: (planned.followed).map(|(cell, ..)| seven(cell.world_from_root())),
             task: planned.task,
+            plan: planned.plan,
             wiped: planned.plan,
             followed,
             frames: planned.frames,
@@ -141,6 +146,7 @@ impl RoundPiece {
             treatment: None,
             why: Vec::new(),
             considered: Vec::new(),
+            reasons: Reasons::default(),
             log: Some(log),
         }
     }
@@ -154,6 +160,9 @@ impl RoundPiece {
         self.considered = considered;
         for one in &mut self.considered {
             one.chosen = one.strategy == chosen.as_str();
+            if one.chosen {
+                one.lines.clear();
+            }
         }
         self
     }
@@ -165,6 +174,7 @@ struct Shown<'a> {
     kind: &'static str,
     root: Option<[f64; 7]>,
     task: &'a Task,
+    plan: &'a Plan,
     wiped: &'a Plan,
     followed: Option<&'a Followed>,
     frames: &'a EffectFrames,
@@ -235,6 +245,7 @@ impl Shown<'_> {
             }),
             why: self.why,
             considered: Vec::new(),
+            reasons: Reasons::new(task, self.plan, wiped, followed, self.predicted),
             log: None,
             meshes: meshes.since(written),
         }

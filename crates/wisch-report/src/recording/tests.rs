@@ -2,8 +2,9 @@ use super::*;
 use serde_json::Value;
 use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
+use wisch::interpret::Belief;
 use wisch::plan::{Candidate, PlanConfig, PlanError, PlanScore, plan, predict};
-use wisch::represent::{Action, DirtArea, OccupiedArea, Treatment, surface_cells};
+use wisch::represent::{Action, DirtArea, Fate, OccupiedArea, Treatment, surface_cells};
 use wisch::run::CandidateEvaluation;
 use wisch_testkit as kit;
 
@@ -101,6 +102,59 @@ fn the_recording_of_a_followed_plan_is_complete() {
     let duration = round["duration"].as_f64().expect("a number");
     assert!((last - duration).abs() < 1e-3 && count as f64 > 24.0 * duration);
     assert!(round["growth"].as_array().expect("points").len() > 2);
+}
+
+#[test]
+fn a_plan_has_reasons() {
+    let task = kit::board(Action::Absorb, [0.6, 0.0, 0.2]);
+    let recording = pieces(&record_followed_plan(&task));
+    let round = &recording[1];
+    let list = |name: &str| round[name].as_array().expect("a list").clone();
+    let strokes = list("strokes");
+    assert_eq!(list("headings").len(), strokes.len());
+    let share = |value: &Value| value.as_f64().expect("a share");
+    let whole = share(&round["predicted"]);
+    let without = list("without");
+    assert_eq!(without.len(), strokes.len());
+    for (i, left_out) in without.iter().enumerate() {
+        assert_eq!(left_out["stroke"], i);
+        assert!(share(&left_out["performance"]) <= whole, "{left_out}");
+    }
+    let loses = |left_out: &Value| share(&left_out["performance"]) < whole;
+    assert!(without.iter().any(loses), "some stroke is needed");
+    if let Some(another) = round.get("another") {
+        assert!(share(&another["gain"]) > 0.0);
+    }
+}
+
+#[test]
+fn a_density_counts_the_particles_that_remain() {
+    let place = |i: usize| Point2::new(0.0015 * i as f64 - 0.2, -0.1);
+    let member = |gone: usize| {
+        let fates: Vec<(Point2, Fate)> = (0..100)
+            .map(|i| {
+                (
+                    place(i),
+                    if i < gone {
+                        Fate::Absorbed
+                    } else {
+                        Fate::OnSurface
+                    },
+                )
+            })
+            .collect();
+        ParticleDistribution::with_fates(&fates).expect("finite places")
+    };
+    let belief =
+        Belief::from_members([0, 0, 0, 100].map(member).to_vec()).expect("the same places");
+    let found = serde_json::to_value(particles::find_density(&belief)).expect("numbers");
+    let expected = found["expected"].as_array().expect("numbers").iter();
+    let sum: f64 = expected
+        .map(|count| count.as_f64().expect("a number"))
+        .sum();
+    assert!((sum - 75.0).abs() < 0.5, "{sum}");
+    let cells = found["places"].as_array().expect("numbers").len() / 2;
+    assert_eq!((&found["cell"], cells), (&0.01.into(), 15));
 }
 
 #[test]
