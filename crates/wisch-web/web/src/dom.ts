@@ -27,6 +27,10 @@ export function say(element: Element, text: string): void {
 /** Makes a list of sentences. */
 export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
+/** Makes a table with names of its columns. */
+export const makeTable = (names: readonly string[], rows: readonly Node[], caption = ""): HTMLElement =>
+  el("table", {}, caption && el("caption", {}, caption), el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))), el("tbody", {}, ...rows));
+
 const MINUS = "\u2212";
 export const fixed = (value: number, digits: number): string => {
   const text = value.toFixed(digits);

@@ -23,7 +23,7 @@ export interface StrokeGain {
 }
 
 /** Smallest difference of shares that is stated [1]. */
-const LEAST_SHARE = 5e-4;
+export const LEAST_SHARE = 5e-4;
 /** Number of shown particles from which on they may be a part of all, so that they are not counted. */
 const MOST_COUNTED = 700;
 
@@ -104,11 +104,11 @@ function drawStrokes(picture: SVGSVGElement, round: Round, stroke: number, isWip
   const { width, height } = picture.viewBox.baseVal;
   const unit = Math.max(width, height) / 100;
   const pathOf = (line: Float32Array) => Array.from({ length: line.length / 2 }, (_, i) => `${i ? "L" : "M"}${(1000 * line[2 * i]!).toFixed(1)} ${(-1000 * line[2 * i + 1]!).toFixed(1)}`).join("");
-  const lines = round.plan.strokes.map((line) => metres(line)).filter((line) => line.length >= 4);
+  const lines = round.plan.strokes.map((line) => metres(line));
   const others = lines.filter((_, i) => i !== stroke).map(pathOf).join("");
-  const chosen = isWiped ? lines[stroke] : undefined;
+  const chosen = isWiped ? lines[stroke] : null;
   const parts: SVGElement[] = [svg("path", { d: others, class: "w-line", "stroke-width": 0.6 * unit })];
-  if (chosen) {
+  if (chosen && chosen.length >= 4) {
     const [x0, y0, x, y] = chosen.slice(-4);
     const turn = (Math.atan2(y0! - y!, x! - x0!) * 180) / Math.PI;
     const arrow = svg("path", { d: `M${3 * unit} 0L${-2 * unit} ${2.6 * unit}V${-2.6 * unit}z`, class: "w-line-tip", transform: `translate(${1000 * x!} ${-1000 * y!}) rotate(${turn})` });

@@ -1,6 +1,6 @@
 // Why this plan: its reasons, the candidate plans, and what each stroke is predicted to gain.
-import { el, fixed, formatKnown, makeList, percent } from "./dom.ts";
-import { describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
+import { el, fixed, formatKnown, makeList, makeTable, percent } from "./dom.ts";
+import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
 import type { StrokeGain } from "./strokes.ts";
 import type { Considered, Places } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -18,8 +18,7 @@ export interface Choice {
   rejected: Rejected | null;
 }
 
-/** Least gain of a stroke that is worth it, and number of groups of strokes whose headings are stated. */
-const LEAST_GAIN = 5e-4;
+/** Number of groups of strokes whose headings are stated. */
 const MOST_GROUPS = 3;
 
 const signed = (gain: number): string => `${gain > 0 ? "+" : ""}${percent(gain, 1)}`;
@@ -32,9 +31,9 @@ function describeNeed(gains: readonly StrokeGain[], whole: number): string[] {
   const known = gains.filter((one): one is StrokeGain & { marginal: number } => one.marginal !== null);
   if (known.length < 2) return [];
   const most = known.reduce((a, b) => (b.marginal > a.marginal ? b : a));
-  const spare = known.filter(({ marginal }) => marginal < LEAST_GAIN).map(({ stroke }) => stroke + 1);
+  const spare = known.filter(({ marginal }) => marginal < LEAST_SHARE).map(({ stroke }) => stroke + 1);
   return [
-    ...(most.marginal >= LEAST_GAIN ? [`Stroke ${most.stroke + 1} is predicted to matter most: without it, the plan reaches ${percent(whole - most.marginal, 1)} instead of ${percent(whole, 1)}.`] : []),
+    ...(most.marginal >= LEAST_SHARE ? [`Stroke ${most.stroke + 1} is predicted to matter most: without it, the plan reaches ${percent(whole - most.marginal, 1)} instead of ${percent(whole, 1)}.`] : []),
     ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach no less.`] : []),
   ];
 }
@@ -48,9 +47,7 @@ function describeHeadings(headings: readonly string[]): string[] {
   return groups.size > MOST_GROUPS ? [...shown, "Choose another stroke in the table to see how the tool is turned in it."] : shown;
 }
 
-const makeTable = (label: string, caption: string, names: string[], rows: Node[]) =>
-  el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": label },
-    el("table", {}, el("caption", {}, caption), el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))), el("tbody", {}, ...rows)));
+const makeChoice = (label: string, table: HTMLElement) => el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": label }, table);
 
 export class Why {
   readonly element = el("div");
@@ -119,7 +116,7 @@ export class Why {
         el("th", { scope: "row" }, chosen && "\u2713 ", rejected ? this.makeKeeper(strategy, rejected) : strategy, chosen && el("span", { class: "w-hidden" }, " (chosen)")),
         ...(error ? [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${error}`)] : cells.map((text) => el("td", {}, text))));
     });
-    return makeTable("Candidate plans", "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time.", names, rows);
+    return makeChoice("Candidate plans", makeTable(names, rows, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."));
   }
 
   /** Makes the table of the strokes. A click on a stroke shows where it begins, and below it the board with and without it. */
@@ -147,6 +144,6 @@ export class Why {
         ...[signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`].map((text) => el("td", {}, text)));
       return own;
     });
-    return makeTable("Strokes", `Predicted gain of each stroke in performance. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`, names, rows);
+    return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));
   }
 }

@@ -108,7 +108,7 @@ export class Stage {
 
   /** The chosen stroke, and the numbers of drawn rejected strokes and base poses, for measurements. */
   get reasons(): { stroke: number | null; rejected: number; bases: number } {
-    return { stroke: this.still?.chosen ?? null, rejected: this.rejected.count, bases: this.bases.places.length };
+    return { stroke: this.chosenNow?.stroke ?? null, rejected: this.rejected.count, bases: this.bases.places.length };
   }
 
   /** `left` is called when the camera stops following because a user moves it. */
@@ -218,6 +218,11 @@ export class Stage {
     this.ask();
   }
 
+  /** What a reader chose of the plan of the shown round. */
+  private get chosenNow(): Choice | null {
+    return this.choice && this.choice.round === this.still?.round ? this.choice : null;
+  }
+
   showTrajectories(list: Trajectory[]): void {
     this.trajectories.show(list);
     this.ask();
@@ -308,7 +313,7 @@ export class Stage {
     this.aim(time);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
-    const choice = this.choice?.round === round ? this.choice : null;
+    const choice = this.chosenNow;
     this.rejected.show(this.layers.rejected && choice?.rejected ? choice.rejected.lines : null, round.plan.surface);
     this.bases.show(this.layers.bases ? round.plan.bases : undefined, theme());
     this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);

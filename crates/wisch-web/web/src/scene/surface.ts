@@ -45,8 +45,6 @@ export class Still {
   surface: Mesh | null = null;
   /** Outlines of found and true surfaces by their poses. */
   private readonly outlines = new Map<Pose, Group>();
-  /** Index of the stroke that is drawn as chosen. */
-  chosen: number | null = null;
   private readonly strokes: ReturnType<typeof segments>[] = [];
   private readonly strokeGroup = new Group();
   private readonly materials: Material[] = [];
@@ -88,8 +86,7 @@ export class Still {
     for (const outline of this.outlines.values()) outline.visible = false;
     if (found && layers.found) this.showOutline(found, () => this.outlineAt(found, shape, "found", 0.28));
     if (actual && layers.actual) this.showOutline(actual, () => this.outlineAt(actual, trueShape(truth, shape), "actual", 0));
-    this.chosen = chosen !== null && chosen in this.strokes ? chosen : null;
-    this.strokeGroup.visible = layers.strokes || this.chosen !== null;
+    this.strokeGroup.visible = layers.strokes || chosen !== null;
     this.strokes.forEach((line, i) => {
       line.visible = layers.strokes || i === chosen;
       line.material.linewidth = i === chosen ? 7 : i === stroke ? 9 : 6;
