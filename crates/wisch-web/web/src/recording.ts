@@ -220,7 +220,8 @@ export interface RoundPiece {
   lost?: number;
   /** The predictions for the plan without each of its strokes. */
   without?: LeftOut[];
-  /** The stroke of the largest predicted gain after the plan: its gain, its corners, its way in contact [m]. null if none gains. */
+  /** The stroke that is predicted to gain most if it is repeated at the end: its gain, its corners, its way in contact [m].
+   * null, or missing beside `without`, if none gains. */
   another?: { gain: number; line: Places; way: number } | null;
   bases?: RatedBases;
   /** How the tool is turned in each stroke, and why: a sentence each. */

@@ -65,10 +65,10 @@ export class Why {
     if (this.stroke !== null || this.rejected) this.choose(null);
     [this.round, this.stroke, this.rejected, this.kept] = [round, null, null, null];
     const gains = round ? findGains(round) : [];
-    const { why = [], considered = [], headings = [], another } = round?.plan ?? {};
+    const { why = [], considered = [], headings = [], without, another = without ? null : undefined } = round?.plan ?? {};
     const list = makeList(describeNeed(gains, round ? predictWhole(round) : NaN));
     if (round && another) list.append(el("li", {}, ...this.describeAnother(round, another)));
-    list.append(...makeList([...(another === null ? ["No further stroke that was tried is predicted to gain anything."] : []), ...describeHeadings(headings), ...why]).children);
+    list.append(...makeList([...(another === null ? ["A repetition of a stroke at the end is predicted to gain nothing."] : []), ...describeHeadings(headings), ...why]).children);
     this.element.replaceChildren(list.childElementCount ? list : el("p", { class: "w-quiet" }, otherwise),
       ...(considered.length ? [this.makeCandidates(considered)] : []), ...(round && gains.length ? [this.makeStrokes(round, gains)] : []));
   }

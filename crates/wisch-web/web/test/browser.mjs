@@ -348,6 +348,7 @@ const cases = {
     assert.deepEqual(await reasons(), { stroke: null, rejected: 0, bases: 0 }, "another round has another plan");
     assert.equal(await named.count(), 0);
     assert.equal(await strokes.getByRole("columnheader", { name: "Marginal" }).count(), 0);
+    assert.doesNotMatch(await page.locator(".w-words").innerText(), /repetition|once more|matter most/, "unknown is not nothing");
     assert.deepEqual(complaints, []);
     await page.close();
   },
@@ -573,6 +574,11 @@ const cases = {
       await drawn(page);
       return page.locator(".w-scene-scale strong").innerText();
     };
+    assert.match(await page.locator(".w-words").innerText(), /A repetition of a stroke at the end is predicted to gain nothing\./);
+    await page.locator("[aria-label=Strokes]").getByRole("button", { name: "2", exact: true }).click();
+    const pair = page.locator(".w-stroke");
+    assert.deepEqual([await pair.locator(".w-map").count(), await pair.locator(".w-scale").count()], [2, 1]);
+    assert.match(await pair.innerText(), /of 768 places get too little, .* places get too much\./);
     const end = await page.evaluate(() => wisch.recording.rounds[0].end);
     assert.equal(await title(7), "Predicted passes");
     await picture("map-predicted");

@@ -244,7 +244,7 @@ export function polished(pieces = sample()) {
     const right = begin.map((_, i) => i).filter((i) => i % columns >= columns / 2);
     const steps = [[0, begin.map((_, i) => i), begin], [6, right, right.map((i) => begin[i] + 150)], [9, [0], [400]]];
     const without = piece.without?.map((one) => ({ ...one, particles: [], treated: passes(one.stroke / 2) }));
-    return { ...piece, without, goal: { kind: "polished" }, particles: [], treatment: { unit: "passes", target: 2, low: 2, high: 3, step: 0.01, cell: [0.01, 0.01], places, steps } };
+    return { ...piece, without, another: undefined, goal: { kind: "polished" }, particles: [], treatment: { unit: "passes", target: 2, low: 2, high: 3, step: 0.01, cell: [0.01, 0.01], places, steps } };
   });
 }
 

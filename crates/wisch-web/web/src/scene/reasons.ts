@@ -96,6 +96,9 @@ export class BaseMap {
     const marks = this.addMarks(makeDrop(RADIUS_M), poses.length);
     const kept = chosen.map((i) => poses[i]).filter((pose) => pose !== undefined);
     const rings = this.addMarks(new RingGeometry(2 * RADIUS_M, 2 * RADIUS_M + 2 * RIM_M, 32), kept.length);
+    // The robot stands on the base pose that it has chosen: ring and number show through it.
+    rings.material.depthTest = false;
+    rings.renderOrder = 8;
     poses.forEach((pose, i) => {
       rims.setMatrixAt(i, placeOf(pose, HEIGHTS_M[0]!));
       rims.setColorAt(i, new Color(colour("quiet")));
@@ -105,7 +108,7 @@ export class BaseMap {
     kept.forEach((pose, i) => {
       rings.setMatrixAt(i, placeOf(pose, HEIGHTS_M[2]!));
       rings.setColorAt(i, new Color(colour("ink")));
-      const number = new Sprite(new SpriteMaterial({ map: drawNumber(i + 1), sizeAttenuation: false }));
+      const number = new Sprite(new SpriteMaterial({ map: drawNumber(i + 1), sizeAttenuation: false, depthTest: false }));
       number.position.set(pose[0], pose[1], HEIGHTS_M[2]!);
       number.center.set(0.5, -0.6);
       number.scale.setScalar(NUMBER_SIZE);
@@ -114,8 +117,8 @@ export class BaseMap {
     });
   }
 
-  private addMarks(geometry: BufferGeometry, count: number): InstancedMesh {
-    const marks = new InstancedMesh(geometry, shiftDepth(new MeshBasicMaterial({ toneMapped: false }), 0.998), count);
+  private addMarks(geometry: BufferGeometry, count: number): InstancedMesh<BufferGeometry, MeshBasicMaterial> {
+    const marks = new InstancedMesh(geometry, shiftDepth(new MeshBasicMaterial({ toneMapped: false, transparent: true }), 0.998), count);
     marks.frustumCulled = false;
     this.group.add(marks);
     return marks;
