@@ -24,6 +24,13 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Makes a list of sentences. */
+export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
+
+/** Makes a table with names of its columns. */
+export const makeTable = (names: readonly string[], rows: readonly Node[], caption = ""): HTMLElement =>
+  el("table", {}, caption && el("caption", {}, caption), el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))), el("tbody", {}, ...rows));
+
 const MINUS = "\u2212";
 export const fixed = (value: number, digits: number): string => {
   const text = value.toFixed(digits);
@@ -36,6 +43,11 @@ export const capitalise = (text: string): string => text.charAt(0).toUpperCase()
 export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
 
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
+
+/** What stands for an unknown value. */
+export const DASH = "\u2013";
+
+export const formatKnown = (value: number | null | undefined, text: (value: number) => string): string => (typeof value === "number" ? text(value) : DASH);
 
 /** Formats a time: seconds below a minute, else minutes and seconds, with hours if needed. */
 export function clockText(seconds: number, digits = 1): string {

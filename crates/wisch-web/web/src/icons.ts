@@ -19,6 +19,8 @@ const MARKS: Record<string, () => SVGElement> = {
   map: () => svg("g", {}, ...["little-3", "allowed-2", "much-1"].map((name, i) => svg("rect", { x: 1 + 5 * i, y: 3, width: 5, height: 10, fill: `var(--${name})` }))),
   path: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--contact)", "stroke-width": 2.4 }),
   strokes: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--stroke)", "stroke-width": 2 }),
+  rejected: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--rejected)", "stroke-width": 1.2 }),
+  bases: () => svg("path", { d: "M14.5 8L9 11.5A4.5 4.5 0 1 1 9 4.5z", fill: "var(--band-6)", stroke: "var(--quiet)", "stroke-width": 1.2 }),
   force: () => svg("path", { d: "M8 15V6M8 1l4 6H4z", fill: "var(--force)", stroke: "var(--force)", "stroke-width": 2 }),
   events: () => svg("circle", { cx: 8, cy: 8, r: 4.5, fill: "var(--collision)", stroke: "var(--ink)", "stroke-width": 1.2 }),
   found: () => svg("path", { d: "M2 12l3-8h9l-3 8z", fill: "var(--found)", "fill-opacity": 0.3, stroke: "var(--found)", "stroke-width": 2 }),

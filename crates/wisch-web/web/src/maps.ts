@@ -47,6 +47,16 @@ function drawCells(record: TreatmentRecord, values: readonly number[]): SVGEleme
   return bins.map(({ colour }, i) => svg("path", { d: paths[i]!, style: `fill:var(--${colour})` }));
 }
 
+/** Returns a map of a round's surface; null if its values are unknown. */
+export function makeMapFigure(title: string, round: Round, values: number[] | null): HTMLElement | null {
+  const record = round.plan.treatment;
+  if (!record || !values) return null;
+  const id = uniqueId();
+  const label = `${title}: ${quantityOf(round)} per place; ${describeShares(record, binsOf(record), values)} of ${values.length} places`;
+  const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(record, values));
+  return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
+}
+
 /** Returns the figures of the first screen for a treated surface: before, predicted, estimated and true, with their scale. */
 export function makeMapFigures({ rounds }: Recording): Element[] {
   const first = rounds[0]!;
@@ -58,20 +68,12 @@ export function makeMapFigures({ rounds }: Recording): Element[] {
     const missing = `This recording has no ${quantityOf(last)} per place.`;
     return [el("figure", { class: "w-wide" }, surfacePicture(last, [], missing), el("figcaption", {}, missing))];
   }
-  const figure = (title: string, round: Round, values: number[] | null): HTMLElement | null => {
-    const own = round.plan.treatment;
-    if (!own || !values) return null;
-    const id = uniqueId();
-    const label = `${title}: ${quantityOf(round)} per place; ${describeShares(own, binsOf(own), values)} of ${values.length} places`;
-    const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(own, values));
-    return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
-  };
   const after = done && `after ${done.number} ${done.number === 1 ? "round" : "rounds"}`;
   const figures = [
-    figure("Before", first, first.treated?.first ?? null),
-    figure(last.number === 1 ? "Predicted" : `Predicted for round ${last.number}`, last, last.treated?.last ?? null),
-    done && figure(`Estimated ${after}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated)),
-    done && figure(`True ${after}`, done, resultValues(done.plan.treatment, done.truth?.treated)),
+    makeMapFigure("Before", first, first.treated?.first ?? null),
+    makeMapFigure(last.number === 1 ? "Predicted" : `Predicted for round ${last.number}`, last, last.treated?.last ?? null),
+    done && makeMapFigure(`Estimated ${after}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated)),
+    done && makeMapFigure(`True ${after}`, done, resultValues(done.plan.treatment, done.truth?.treated)),
   ].filter((one) => one !== null);
   const quantity = quantityOf(last);
   const title = `${capitalise(quantity)} per place${unrolled}`;

@@ -124,8 +124,30 @@ export interface Considered {
   /** Way in contact [m]. */
   in_contact: number | null;
   duration: number | null;
+  /** Strokes of a plan that was not chosen, corners in turn; recordings up to version 0.2.0 have none. */
+  lines?: Places[];
   /** Reason for a missing plan. */
   error: string | null;
+}
+
+/** The prediction for a plan without one of its strokes. */
+export interface LeftOut {
+  /** Index of the stroke. */
+  stroke: number;
+  /** Performance, and what is lost, in [0, 1]. */
+  performance: number;
+  lost: number;
+  /** What is on the surface at the end. Empty with `treated`. */
+  particles: Places;
+  /** Values of `treatment.places` at the end, in steps. */
+  treated?: number[];
+}
+
+/** Base poses that were rated, and the indices of those that were chosen, in order. */
+export interface RatedBases {
+  /** x, y [m] and yaw [rad] in the world; share of the path that is in reach from there, in [0, 1]. */
+  poses: [x: number, y: number, yaw: number, share: number][];
+  chosen: number[];
 }
 
 /** Shape of a curved surface. */
@@ -193,6 +215,17 @@ export interface RoundPiece {
   why: string[];
   /** Among which plans it was chosen, where several were weighed. */
   considered?: Considered[];
+  // Recordings up to version 0.2.0 have none of the next five.
+  /** What the whole plan is predicted to lose, in [0, 1]. */
+  lost?: number;
+  /** The predictions for the plan without each of its strokes. */
+  without?: LeftOut[];
+  /** The stroke that is predicted to gain most if it is repeated at the end: its gain, its corners, its way in contact [m].
+   * null, or missing beside `without`, if none gains. */
+  another?: { gain: number; line: Places; way: number } | null;
+  bases?: RatedBases;
+  /** How the tool is turned in each stroke, and why: a sentence each. */
+  headings?: string[];
   /** Of a logged round: its events, and its measured intervals of contact. */
   events?: EventRecord[];
   contacts?: [number, number][];

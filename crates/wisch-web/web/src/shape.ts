@@ -53,7 +53,15 @@ const head = has({
 const considered = has({
   strategy: text, chosen: (value) => typeof value === "boolean", error: maybe(text),
   score: maybe(finite), predicted: maybe(finite), lost: maybe(finite), strokes: maybe(finite), in_contact: maybe(finite), duration: maybe(finite),
+  lines: maybe(list(list(finite))),
 });
+
+/** The fields of a round that say why its plan is as it is. */
+const REASONS: Record<string, Check> = {
+  why: list(text), considered: maybe(list(considered)), lost: maybe(finite), headings: maybe(list(text)),
+  without: maybe(list(has({ stroke: finite, performance: finite, lost: finite, particles: list(finite), treated: maybe(some) }))),
+  another: maybe(has({ gain: finite, line: list(finite), way: finite })), bases: maybe(has({ poses: list(exactly(4)), chosen: list(finite) })),
+};
 
 /** Largest value of a treated surface, in its unit. */
 const MOST_VALUE = 1e6;
@@ -67,10 +75,11 @@ const treatment: Check = (value) => {
 };
 
 const round = has({
+  ...REASONS,
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(curved) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
-  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), treatment: maybe(treatment), why: list(text), considered: maybe(list(considered)), events: maybe(list(event)), contacts: maybe(list(interval)),
+  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), treatment: maybe(treatment), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
 const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });

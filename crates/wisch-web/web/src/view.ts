@@ -49,6 +49,8 @@ export interface View {
   readonly frames: number;
   /** Number of drawn ghosts. */
   readonly ghosts: number;
+  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses; null without a scene. */
+  readonly reasons: { stroke: number | null; rejected: number; bases: number } | null;
   /** The camera of the scene; null without one. */
   readonly camera: Camera | null;
   destroy(): void;
@@ -62,7 +64,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     clock.seek(time);
   });
   const timeline = new Timeline(recording, clock, compact);
-  const words = compact ? null : new Words(recording, clock);
+  const words = compact ? null : new Words(recording, clock, (choice) => panel.choose(choice));
   const bar = makeTransport(clock, recording);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
@@ -139,6 +141,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     },
     get frames() { return panel.stage?.drawn ?? 0; },
     get ghosts() { return panel.stage?.ghostCount ?? 0; },
+    get reasons() { return panel.stage?.reasons ?? null; },
     camera: panel.stage?.camera ?? null,
     destroy: () => {
       frames.drop(show);

@@ -1,15 +1,14 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { capitalise, clockText, el, fixed, percent, phaseText, say } from "./dom.ts";
+import { DASH, capitalise, clockText, el, fixed, formatKnown, makeList, percent, phaseText, say } from "./dom.ts";
 import type { Clock } from "./clock.ts";
-import type { Considered, Estimate, Fact } from "./recording.ts";
+import type { Estimate, Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
-import { makeGainTable } from "./strokes.ts";
 import type { Instant, Recording } from "./store.ts";
+import { Why } from "./why.ts";
+import type { Choice } from "./why.ts";
 
 const makeSection = (title: string, open: boolean, ...children: (Node | string)[]) =>
   el("details", { class: "w-section", open }, el("summary", {}, el("h2", {}, title)), ...children);
-
-const makeList = (list: readonly string[]) => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
 /** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
 export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
@@ -45,27 +44,6 @@ export function endText({ rounds, ended }: Recording, { number, plan: { kind }, 
 
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
-/** What stands for an unknown value. */
-export const DASH = "\u2013";
-
-export const formatKnown = (value: number | null | undefined, text: (value: number) => string): string => (typeof value === "number" ? text(value) : DASH);
-
-/** Returns a table of the candidate plans, by falling score. */
-function makeCandidateTable(considered: readonly Considered[]): HTMLElement {
-  const list = [...considered].sort((a, b) => (b.score ?? -Infinity) - (a.score ?? -Infinity));
-  const names = ["Strategy", "Score", "Share", "Lost", "Contact", "Time"];
-  const cells = (one: Considered): string[] => [
-    formatKnown(one.score, (score) => fixed(score, 2)), formatKnown(one.predicted, percent), formatKnown(one.lost, percent), formatKnown(one.in_contact, (way) => `${fixed(way, 2)} m`), formatKnown(one.duration, (time) => `${fixed(time, 0)} s`),
-  ];
-  return el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": "Candidate plans" },
-    el("table", {},
-      el("caption", {}, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."),
-      el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))),
-      el("tbody", {}, ...list.map((one) => el("tr", { "data-chosen": one.chosen, title: one.strokes === null ? null : `${one.strokes} strokes` },
-        el("th", { scope: "row" }, `${one.chosen ? "\u2713 " : ""}${one.strategy}`, one.chosen && el("span", { class: "w-hidden" }, " (chosen)")),
-        ...(one.error === null || one.error === undefined ? cells(one).map((text) => el("td", {}, text)) : [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${one.error}`)]))))));
-}
-
 /** What replaces plan and result of an episode that was kept without a recording. */
 export const LOGGED = "The episode was kept without a recording: the page shows its telemetry and its events.";
 
@@ -78,7 +56,7 @@ export class Words {
   private readonly below = el("p", { class: "w-quiet" });
   private readonly live = { contact: el("dd"), force: el("dd"), height: el("dd"), performance: el("dd") };
   private readonly performanceName = el("dt", {}, "Predicted");
-  private readonly why = el("div");
+  private readonly why: Why;
   private readonly after = el("div");
   private readonly events = el("div");
   private readonly numbers = el("div");
@@ -89,7 +67,9 @@ export class Words {
   private whole = "";
   private shownEvents: { element: HTMLElement; start: number; end: number }[] = [];
 
-  constructor(private readonly recording: Recording, private readonly clock: Clock) {
+  /** `choose` shows in the scene what a reader chose of a plan. */
+  constructor(private readonly recording: Recording, private readonly clock: Clock, choose: (choice: Choice | null) => void) {
+    this.why = new Why((time) => clock.seek(time), choose);
     const { contact, force, height, performance } = this.live;
     this.element = el("aside", { class: "w-words", "aria-label": "Details of the run", tabindex: 0 },
       el("div", { class: "w-now" }, this.headline, this.below,
@@ -97,7 +77,7 @@ export class Words {
           el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
           el("div", {}, el("dt", {}, "Height"), height), el("div", {}, this.performanceName, performance))),
       this.complaint,
-      makeSection("Why this plan", true, this.why),
+      makeSection("Why this plan", true, this.why.element),
       makeSection("Result", true, this.after),
       makeSection("Events", true, this.events),
       makeSection("Numbers", true, this.numbers),
@@ -153,9 +133,7 @@ export class Words {
   }
 
   private showRound(round: Round | null): void {
-    const why = round?.plan.why ?? [];
-    const candidates = round?.plan.considered ?? [];
-    this.why.replaceChildren(why.length ? makeList(why) : el("p", { class: "w-quiet" }, round ? (round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.") : "No plan yet."), ...(candidates.length ? [makeCandidateTable(candidates)] : []), (round && makeGainTable(round, (time) => this.clock.seek(time))) ?? "");
+    this.why.show(round, !round ? "No plan yet." : round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.");
     if (!round?.interpreted) {
       const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : round.plan.kind === "logged" ? LOGGED : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));

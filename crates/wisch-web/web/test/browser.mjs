@@ -295,6 +295,64 @@ const cases = {
     await page.close();
   },
 
+  async "a stroke is compared with the plan without it, and with what was rejected"() {
+    const { page, complaints, picture } = await show("why", whole);
+    await page.waitForFunction(() => window.firstFrame);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    const reasons = async () => {
+      await drawn(page);
+      return page.evaluate(() => wisch.view.reasons);
+    };
+    const sentences = await page.locator(".w-section .w-sentences").first().locator("li").allInnerTexts();
+    assert.match(sentences[0], /^Stroke 1 is predicted to matter most: without it, the plan reaches 57\.0\u202f% instead of 78\.0\u202f%\.$/);
+    assert.ok(sentences.includes("Stroke 3 once more at the end is predicted to gain 1.2\u202f% with 0.21 m in contact."));
+    assert.ok(sentences.includes("Strokes 1, 2, 3 and 5: The tool sweeps 90 mm, as wide as it can."));
+    const strokes = page.locator("[aria-label=Strokes]");
+    const third = strokes.getByRole("button", { name: "3", exact: true });
+    await third.click();
+    assert.deepEqual(await reasons(), { stroke: 2, rejected: 0, bases: 0 });
+    near(await time(page), await page.evaluate(() => wisch.recording.rounds[0].plan.phases.find(({ stroke }) => stroke === 2).start), 1e-9);
+    assert.deepEqual(await strokes.locator("figcaption").allInnerTexts(), ["Predicted with stroke 3", "Predicted without it"]);
+    assert.equal(await strokes.locator("figure").first().locator(".w-line-chosen").count(), 1);
+    assert.equal(await strokes.locator("figure").last().locator(".w-line-chosen").count(), 0);
+    assert.match(await strokes.locator(".w-stroke").innerText(), /Predicted without stroke 3: 60\.7\u202f% instead of 78\.0\u202f%; 52 more of 300 particles stay outside the goal area, and nothing more is lost\.\s+The stroke takes 3\.4 s/);
+    await page.waitForTimeout(1200);
+    await picture("why-stroke");
+    const plan = page.locator("[aria-label='Candidate plans']").getByRole("button", { name: "kde" });
+    const named = page.locator(".w-named li");
+    await plan.focus();
+    assert.equal((await reasons()).rejected, 3);
+    assert.deepEqual(await named.allInnerTexts(), ["Rejected plan: kde, 3 strokes"]);
+    await third.focus();
+    assert.equal((await reasons()).rejected, 0, "without pointer and focus");
+    await plan.click();
+    await page.mouse.move(200, 300);
+    await third.focus();
+    assert.deepEqual(await reasons(), { stroke: 2, rejected: 3, bases: 0 }, "a click keeps it");
+    await page.getByLabel("Rejected plan, chosen in its table").uncheck();
+    assert.equal((await reasons()).rejected, 0);
+    assert.equal(await named.count(), 0, "a hidden plan is not in the legend");
+    const reach = page.locator(".w-reach");
+    assert.equal(await reach.isVisible(), false);
+    await page.getByLabel("Rated base poses").check();
+    assert.equal((await reasons()).bases, 45);
+    assert.match(await reach.innerText(), /Base poses\s+\u2265 0\u202f%[^]*\u2265 87\.5\u202f%\s+share of the path that is in reach/);
+    await page.getByRole("button", { name: "Fit" }).click();
+    await page.waitForTimeout(1500);
+    await picture("why-bases");
+    await third.click();
+    assert.equal((await reasons()).stroke, null);
+    await third.click();
+    await page.evaluate(() => wisch.view.seek(wisch.recording.rounds[1].start + 1));
+    await page.waitForTimeout(400);
+    assert.deepEqual(await reasons(), { stroke: null, rejected: 0, bases: 0 }, "another round has another plan");
+    assert.equal(await named.count(), 0);
+    assert.equal(await strokes.getByRole("columnheader", { name: "Marginal" }).count(), 0);
+    assert.doesNotMatch(await page.locator(".w-words").innerText(), /repetition|once more|matter most/, "unknown is not nothing");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
   async "markup in a recording is not executed"() {
     const evil = "</script><script>window.hit=1</script><img src=x onerror=\"window.hit=2\"><b>__proto__${constructor}\u202e";
     const poison = (value, key) => {
@@ -516,6 +574,11 @@ const cases = {
       await drawn(page);
       return page.locator(".w-scene-scale strong").innerText();
     };
+    assert.match(await page.locator(".w-words").innerText(), /A repetition of a stroke at the end is predicted to gain nothing\./);
+    await page.locator("[aria-label=Strokes]").getByRole("button", { name: "2", exact: true }).click();
+    const pair = page.locator(".w-stroke");
+    assert.deepEqual([await pair.locator(".w-map").count(), await pair.locator(".w-scale").count()], [2, 1]);
+    assert.match(await pair.innerText(), /of 768 places get too little, .* places get too much\./);
     const end = await page.evaluate(() => wisch.recording.rounds[0].end);
     assert.equal(await title(7), "Predicted passes");
     await picture("map-predicted");

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { REACH_BANDS } from "../src/bases.ts";
 import { BLINDNESS, blend, contrast, difference, differenceOfLab, lit, seenWith } from "./colours.mjs";
 
 const css = readFileSync("src/style/page.css", "utf8");
@@ -32,12 +33,12 @@ const LIES_ON = {
   believed: ["board", "picture", "lanes"], estimated: ["board", "picture", "lanes"], actual: ["board", "picture", "lanes"], seen: ["board", "picture"],
   found: ["board", "scene"], contact: ["board", "scene", "lanes"], pushed: ["board", "scene", "lanes"], lifted: ["board", "scene"], force: ["board", "scene", "lanes"],
   collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
-  tool: ["board", "scene"], stroke: ["board"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
+  tool: ["board", "scene"], stroke: ["board", "picture"], rejected: ["board", "scene"], quiet: ["scene"], ink: ["scene"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
 };
 
 /** Marks of different meaning that appear in the same place. */
 const PLACES = {
-  "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line"],
+  "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line", "rejected"],
   "outlines of the board": ["found", "actual", "goal-line"],
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],
@@ -99,6 +100,13 @@ for (const [theme, colours] of THEMES) {
     }
   });
 }
+
+test("each band of the base poses differs from the next, for all eyes", () => {
+  for (const [theme, colours] of THEMES) for (const eyes of [null, ...BLINDNESS]) for (let i = 1; i < REACH_BANDS; i++) {
+    const [a, b] = [i, i + 1].map((band) => (eyes ? seenWith(eyes, colours[`band-${band}`]) : colours[`band-${band}`]));
+    assert.ok(difference(a, b) >= 3, `${theme}: bands ${i} and ${i + 1}, ${eyes ?? "usual eyes"}: ${difference(a, b)}`);
+  }
+});
 
 test("figures and page have the same colours by the same names", () => {
   const rust = readFileSync("../../wisch-report/src/draw/palette.rs", "utf8");

@@ -99,10 +99,25 @@ const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.ma
 
 /** Candidate plans of the first round. */
 const CONSIDERED = [
-  { strategy: "kde", chosen: false, score: -1.6402, predicted: 0.66, lost: 0.48, strokes: 7, in_contact: 11.31, duration: 124.2, error: null },
+  { strategy: "kde", chosen: false, score: -1.6402, predicted: 0.66, lost: 0.48, strokes: 3, in_contact: 11.31, duration: 124.2, lines: [[-1400, 900, 1400, 900], [1400, 300, -1400, 300], [-1400, -300, 900, -600]], error: null },
   { strategy: "rrt", chosen: false, score: null, predicted: null, lost: null, strokes: null, in_contact: null, duration: null, error: "no way leads to the goal" },
   { strategy: "adaptive", chosen: true, score: 0.7613, predicted: 1, lost: 0, strokes: 5, in_contact: 0.94, duration: 17.3, error: null },
 ];
+
+/** Base poses before the table: the nearer, the more is in reach. */
+const BASES = Array.from({ length: 45 }, (_, i) => [rounded(0.1 * (i % 9) - 0.4, 3), rounded(0.5 + 0.1 * Math.floor(i / 9), 3), -1.571, rounded(Math.max(0, 1 - 0.4 * Math.abs((i % 9) - 4) ** 1.5 / 4 - 0.15 * Math.floor(i / 9)), 3)]);
+
+/** Why the plan of the first round is as it is. */
+function reasonsOf(strokes, believed) {
+  const without = strokes.map((_, stroke) => {
+    const { list } = pushed(believed, plan(strokes.filter((_, i) => i !== stroke)).track, 0.97, numbers(11));
+    return { stroke, performance: rounded(list.filter(inGoal).length / list.length), lost: stroke === 1 ? 0.01 : 0, particles: list.flat().map(whole) };
+  });
+  return {
+    considered: CONSIDERED, lost: 0, without, another: { gain: 0.0123, line: strokes[2].flat().map(whole), way: 0.21 }, bases: { poses: BASES, chosen: [4, 13] },
+    headings: strokes.map((_, i) => (i === 3 ? "The tool begins by sweeping 60 mm of at most 90 mm." : "The tool sweeps 90 mm, as wide as it can.")),
+  };
+}
 
 /** All pieces of a run of two rounds, in order. */
 export function sample({ title = "Breadcrumbs on a chopping board", count = 300 } = {}) {
@@ -139,9 +154,9 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
       ],
       meshes: [], goal: { kind: "collected", place: GOAL, radius: GOAL_RADIUS },
       strokes: strokes.map(flat), phases, predicted: predicted.growth.at(-1)[1], growth: predicted.growth, particles: predicted.steps,
-      ...(round === 1 ? { considered: CONSIDERED } : {}),
+      ...(round === 1 ? reasonsOf(strokes, believed) : {}),
       why: round === 1
-        ? ["Five strokes reach 96 % of the dirt that is believed to lie outside the goal.", "The longest stroke begins at the far edge, where most of the dirt is.", "A sixth stroke would gain 1 % and cost 4.1 s: left out."]
+        ? ["Five strokes reach 96 % of the dirt that is believed to lie outside the goal.", "The longest stroke begins at the far edge, where most of the dirt is."]
         : ["The second and third strokes met less dirt than predicted.", "Two strokes sweep the dirt that is believed to remain there."],
     });
     stage(round, "executing", "Wiping as planned.");
@@ -228,7 +243,8 @@ export function polished(pieces = sample()) {
     const begin = piece.round === 1 ? passes(0) : passes(2);
     const right = begin.map((_, i) => i).filter((i) => i % columns >= columns / 2);
     const steps = [[0, begin.map((_, i) => i), begin], [6, right, right.map((i) => begin[i] + 150)], [9, [0], [400]]];
-    return { ...piece, goal: { kind: "polished" }, particles: [], treatment: { unit: "passes", target: 2, low: 2, high: 3, step: 0.01, cell: [0.01, 0.01], places, steps } };
+    const without = piece.without?.map((one) => ({ ...one, particles: [], treated: passes(one.stroke / 2) }));
+    return { ...piece, without, another: undefined, goal: { kind: "polished" }, particles: [], treatment: { unit: "passes", target: 2, low: 2, high: 3, step: 0.01, cell: [0.01, 0.01], places, steps } };
   });
 }
 

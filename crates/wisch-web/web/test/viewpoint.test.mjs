@@ -147,14 +147,19 @@ test("crossing a round's end again and again makes its outlines once", () => {
   const { still, recording, round } = open(sample());
   const found = round.interpreted.found;
   const layers = { strokes: false, found: true, actual: true };
-  still.show(layers, null, found);
+  still.show(layers, null, found, null);
   const count = still.group.children.length;
   for (let k = 0; k < 3; k++) {
-    still.show(layers, null, recording.foundAt(0));
+    still.show(layers, null, recording.foundAt(0), null);
     assert.equal(still.group.children.filter(({ visible }) => !visible).length, 2, "strokes and the found surface are hidden");
-    still.show(layers, null, found);
+    still.show(layers, null, found, null);
     assert.equal(still.group.children.length, count);
   }
+  still.show(layers, null, null, 2);
+  const isShown = (object) => object.visible && (!object.parent || isShown(object.parent));
+  const widths = [];
+  still.group.traverse((object) => { if (object.material?.name === "stroke" && isShown(object)) widths.push(object.material.linewidth); });
+  assert.deepEqual(widths, [7], "a chosen stroke is drawn while the others are hidden");
   still.dispose();
 });
 

@@ -1,6 +1,7 @@
 // The scene with its overlays: legend with toggles, and buttons for views.
 import { el, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
+import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { LAYERS, Stage } from "./stage.ts";
@@ -9,10 +10,11 @@ import type { Recording } from "../store.ts";
 import { isTreated, mapAt, quantityOf } from "../treated.ts";
 import type { TreatmentRecord } from "../recording.ts";
 import type { Round } from "../round.ts";
+import type { Choice } from "../why.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", strokes: "Planned strokes", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
+  path: "Tool path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
 };
 
 /** A legend entry of queried data: a line, or particles in a state. */
@@ -31,7 +33,12 @@ export class ScenePanel {
   private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the shown time" });
   private readonly stop: (() => void)[] = [];
   private readonly mapTitle = el("strong");
-  private readonly scale = el("div", { class: "w-scene-scale", hidden: true }, this.mapTitle);
+  private readonly map = el("div", {}, this.mapTitle);
+  private readonly reach = makeReachScale();
+  private readonly scale = el("div", { class: "w-scene-scale", hidden: true }, this.reach, this.map);
+  private queried: Named[] = [];
+  /** Name of the rejected strokes that a reader chose. */
+  private rejected: string | null = null;
   private scaleOf: TreatmentRecord | null = null;
   private treats = false;
   private version = -1;
@@ -88,13 +95,15 @@ export class ScenePanel {
     this.version = this.recording.version;
     // Layers without data get no toggle.
     const { rounds, observedBefore } = this.recording;
-    const has: Record<keyof Layers, boolean> = {
+    const has: Record<keyof Layers, unknown> = {
       believed: rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0)),
       estimated: rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null),
       actual: rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null),
       seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
       path: rounds.some(({ count }) => count > 0),
       strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
+      rejected: rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length)),
+      bases: rounds.some(({ plan }) => plan.bases?.poses.length),
       force: rounds.some(({ count }) => count > 0),
       events: this.recording.happenings.length > 0,
       found: rounds.some(({ interpreted }) => interpreted?.found != null),
@@ -108,16 +117,18 @@ export class ScenePanel {
     if (layers) layers.hidden = !Object.values(has).some(Boolean);
   }
 
-  /** Shows the scale of the current map, and whether the map is predicted, estimated or true. */
+  /** Shows the scale of the base poses, and that of the current map, and whether the map is predicted, estimated or true. */
   private showScale(): void {
     const round = this.stage && this.recording.roundAt(this.time);
     const map = round && mapAt(this.recording, this.time, round, this.stage!.layers);
-    this.scale.hidden = !map;
+    this.reach.hidden = !round?.plan.bases || !this.stage!.layers.bases;
+    this.map.hidden = !map;
+    this.scale.hidden = !map && this.reach.hidden;
     if (!map) return;
     say(this.mapTitle, map.title);
     if (this.scaleOf === map.record) return;
     this.scaleOf = map.record;
-    this.scale.replaceChildren(this.mapTitle, makeScale(map.record));
+    this.map.replaceChildren(this.mapTitle, makeScale(map.record));
   }
 
   /** Names the layers of dirt as maps of a treated surface. Only one map is shown at a time: the true one on request. */
@@ -143,7 +154,20 @@ export class ScenePanel {
 
   /** Lists queried data in the legend. */
   name(list: Named[]): void {
-    this.extra.replaceChildren(...list.map(({ name, colour, form }) => {
+    this.queried = list;
+    this.listNamed();
+  }
+
+  /** Shows what a reader chose of a plan. */
+  choose(choice: Choice | null): void {
+    this.rejected = choice?.rejected?.name ?? null;
+    this.stage?.choose(choice);
+    this.listNamed();
+  }
+
+  private listNamed(): void {
+    const rejected = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" } as Named] : [];
+    this.extra.replaceChildren(...[...rejected, ...this.queried].map(({ name, colour, form }) => {
       if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
       const line = el("i", { "aria-hidden": "true" });
       line.style.background = colour;
@@ -164,6 +188,7 @@ export class ScenePanel {
         this.stage.layers[name] = box.checked;
         this.stage.ask();
         this.showScale();
+        this.listNamed();
       } });
       const item = el("li", {}, box, el("label", { for: id }, mark(name), NAMES[name]));
       this.boxes.set(name, item);

@@ -18,6 +18,7 @@ import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
 import { Axes, Path, Trajectories, hexOr } from "./path.ts";
 import type { ShownFrame, Trajectory } from "./path.ts";
+import { BaseMap, RejectedStrokes } from "./reasons.ts";
 import { Robot, ghostMaterial } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
@@ -25,12 +26,13 @@ import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
+import type { Choice } from "../why.ts";
 import type { Instant, Recording } from "../store.ts";
 import { mapAt } from "../treated.ts";
 
-export type Layers = Record<Mark | "path" | "strokes" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
+export type Layers = Record<Mark | "path" | "strokes" | "rejected" | "bases" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
 export const LAYERS: Layers = {
-  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, force: true, events: true, found: true, actualSurface: true, collision: false,
+  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, rejected: true, bases: false, force: true, events: true, found: true, actualSurface: true, collision: false,
 };
 
 /** The robot at a time of the common clock [s], drawn translucent. */
@@ -84,6 +86,9 @@ export class Stage {
   private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
+  private readonly rejected = new RejectedStrokes();
+  private readonly bases = new BaseMap();
+  private choice: Choice | null = null;
   /** Whether the first view is shown, and whether the user chose another; key of the followed shot, null while none is followed. */
   private begun = false;
   private chosen = false;
@@ -99,6 +104,11 @@ export class Stage {
   /** Number of drawn ghosts, for measurements. */
   get ghostCount(): number {
     return this.ghosts.children.length;
+  }
+
+  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses, for measurements. */
+  get reasons(): { stroke: number | null; rejected: number; bases: number } {
+    return { stroke: this.chosenNow?.stroke ?? null, rejected: this.rejected.count, bases: this.bases.places.length };
   }
 
   /** `left` is called when the camera stops following because a user moves it. */
@@ -121,7 +131,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
-    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts);
+    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -159,7 +169,7 @@ export class Stage {
     if (!this.shots || !instant) return;
     this.shot = null;
     this.chosen = true;
-    const points = at === "all" ? this.shots.all(instant.time) : this.shots.surface();
+    const points = at === "all" ? [...this.shots.all(instant.time), ...this.bases.places] : this.shots.surface();
     this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : this.shots.from, this.camera.angles), true);
     this.ask();
   }
@@ -200,6 +210,17 @@ export class Stage {
     this.highlighted = intervals.map(({ start, end }) => ({ from: start, to: end }));
     this.drawHighlights();
     this.ask();
+  }
+
+  /** Shows what a reader chose of the plan of a round, while the clock is in that round. */
+  choose(choice: Choice | null): void {
+    this.choice = choice;
+    this.ask();
+  }
+
+  /** What a reader chose of the plan of the shown round. */
+  private get chosenNow(): Choice | null {
+    return this.choice && this.choice.round === this.still?.round ? this.choice : null;
   }
 
   showTrajectories(list: Trajectory[]): void {
@@ -247,6 +268,7 @@ export class Stage {
     this.dirt.paint();
     this.asked.paint();
     this.force.paint();
+    this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
       still.paint();
       path.paint();
@@ -291,7 +313,10 @@ export class Stage {
     this.aim(time);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time));
+    const choice = this.chosenNow;
+    this.rejected.show(this.layers.rejected && choice?.rejected ? choice.rejected.lines : null, round.plan.surface);
+    this.bases.show(this.layers.bases ? round.plan.bases : undefined, theme());
+    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
     if (this.robot) this.robot.collisionShown = this.layers.collision;
     this.still!.fade(this.camera.lens.position);
     this.path!.show(time, this.layers.path);

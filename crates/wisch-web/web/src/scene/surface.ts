@@ -45,7 +45,7 @@ export class Still {
   surface: Mesh | null = null;
   /** Outlines of found and true surfaces by their poses. */
   private readonly outlines = new Map<Pose, Group>();
-  private readonly strokes: Object3D[] = [];
+  private readonly strokes: ReturnType<typeof segments>[] = [];
   private readonly strokeGroup = new Group();
   private readonly materials: Material[] = [];
   private readonly geometries: BufferGeometry[] = [];
@@ -77,19 +77,20 @@ export class Still {
     this.group.add(placeAt(this.strokeGroup, plan.surface.pose));
   }
 
-  /** Shows the outlines of the true surface and of the one that is known as found, and emphasises the current stroke. */
-  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, found: Pose | null): void {
+  /** Shows the outlines of the true surface and of the one that is known as found, and emphasises the current stroke. A chosen
+   * stroke is shown in any case. */
+  show(layers: { strokes: boolean; found: boolean; actual: boolean }, stroke: number | null, found: Pose | null, chosen: number | null): void {
     const { truth } = this.round;
     const actual = truth?.surface ?? null;
     const { shape } = this.round.plan.surface;
     for (const outline of this.outlines.values()) outline.visible = false;
     if (found && layers.found) this.showOutline(found, () => this.outlineAt(found, shape, "found", 0.28));
     if (actual && layers.actual) this.showOutline(actual, () => this.outlineAt(actual, trueShape(truth, shape), "actual", 0));
-    this.strokeGroup.visible = layers.strokes;
+    this.strokeGroup.visible = layers.strokes || chosen !== null;
     this.strokes.forEach((line, i) => {
-      const material = (line as unknown as { material: LineMaterial }).material;
-      material.linewidth = i === stroke ? 9 : 6;
-      material.opacity = i === stroke ? 0.6 : 0.35;
+      line.visible = layers.strokes || i === chosen;
+      line.material.linewidth = i === chosen ? 7 : i === stroke ? 9 : 6;
+      line.material.opacity = i === chosen ? 1 : i === stroke ? 0.6 : 0.35;
     });
   }
 

@@ -1,8 +1,8 @@
 // Two recordings on one clock: their curves in the same plots, and a table of what differs.
-import { clockText, el, fixed, percent, svg } from "../dom.ts";
+import { DASH, clockText, el, fixed, formatKnown, makeTable, percent, svg } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
-import { DASH, estimateText, formatKnown, stateOf } from "../words.ts";
+import { estimateText, stateOf } from "../words.ts";
 import type { Clock } from "../clock.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Round } from "../round.ts";
@@ -160,7 +160,7 @@ export class Comparison {
       ...times.map((time) => text(this.x(time), height - 3, clockText(time, 0), "middle")), this.cursor);
     this.plots.replaceChildren(picture);
     this.move();
-    this.table.replaceChildren(makeTable(differencesOf(...pair)));
+    this.table.replaceChildren(makeDifferenceTable(differencesOf(...pair)));
   }
 
   private move(): void {
@@ -228,10 +228,6 @@ export function makeLetter(i: number): HTMLElement {
   return el("i", { class: `s-letter s-letter-${i ? "second" : "first"}` }, LETTERS[i] ?? "");
 }
 
-function makeTable(differences: Difference[]): HTMLElement {
-  const heads = ["", ...LETTERS, "B \u2212 A"];
-  return el("table", {},
-    el("thead", {}, el("tr", {}, ...heads.map((name) => el("th", { scope: "col" }, name)))),
-    el("tbody", {}, ...differences.map(({ label, texts, by }) => el("tr", { "data-differs": String(by !== "" && by !== DASH) },
-      el("th", { scope: "row" }, label), ...texts.map((words) => el("td", { title: words }, words)), el("td", {}, by || "same")))));
-}
+const makeDifferenceTable = (differences: Difference[]): HTMLElement =>
+  makeTable(["", ...LETTERS, "B \u2212 A"], differences.map(({ label, texts, by }) => el("tr", { "data-differs": String(by !== "" && by !== DASH) },
+    el("th", { scope: "row" }, label), ...texts.map((words) => el("td", { title: words }, words)), el("td", {}, by || "same"))));

@@ -1,0 +1,149 @@
+// Why this plan: its reasons, the candidate plans, and what each stroke is predicted to gain.
+import { el, fixed, formatKnown, makeList, makeTable, percent } from "./dom.ts";
+import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
+import type { StrokeGain } from "./strokes.ts";
+import type { Considered, Places } from "./recording.ts";
+import type { Round } from "./round.ts";
+
+/** Strokes that are not part of the plan. */
+export interface Rejected {
+  name: string;
+  lines: readonly Places[];
+}
+
+/** What a reader chose of the plan of a round: one of its strokes, and strokes that are not part of it. */
+export interface Choice {
+  round: Round;
+  stroke: number | null;
+  rejected: Rejected | null;
+}
+
+/** Number of groups of strokes whose headings are stated. */
+const MOST_GROUPS = 3;
+
+const signed = (gain: number): string => `${gain > 0 ? "+" : ""}${percent(gain, 1)}`;
+
+/** Lists numbers in words, such as "1, 2 and 5". */
+const listNumbers = (numbers: readonly number[]): string => (numbers.length > 1 ? `${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}` : String(numbers[0]));
+
+/** Says which strokes the plan needs most and least, by its predictions without each of them. */
+function describeNeed(gains: readonly StrokeGain[], whole: number): string[] {
+  const known = gains.filter((one): one is StrokeGain & { marginal: number } => one.marginal !== null);
+  if (known.length < 2) return [];
+  const most = known.reduce((a, b) => (b.marginal > a.marginal ? b : a));
+  const spare = known.filter(({ marginal }) => marginal < LEAST_SHARE).map(({ stroke }) => stroke + 1);
+  return [
+    ...(most.marginal >= LEAST_SHARE ? [`Stroke ${most.stroke + 1} is predicted to matter most: without it, the plan reaches ${percent(whole - most.marginal, 1)} instead of ${percent(whole, 1)}.`] : []),
+    ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach no less.`] : []),
+  ];
+}
+
+/** Says how the tool is turned, once for all strokes with the same reason. */
+function describeHeadings(headings: readonly string[]): string[] {
+  const groups = new Map<string, number[]>();
+  headings.forEach((text, i) => groups.set(text, [...groups.get(text) ?? [], i + 1]));
+  const sorted = [...groups].sort(([, a], [, b]) => b.length - a.length);
+  const shown = sorted.slice(0, MOST_GROUPS).map(([text, strokes]) => `${groups.size === 1 ? "All strokes" : strokes.length > 1 ? `Strokes ${listNumbers(strokes)}` : `Stroke ${strokes[0]}`}: ${text}`);
+  return groups.size > MOST_GROUPS ? [...shown, "Choose another stroke in the table to see how the tool is turned in it."] : shown;
+}
+
+const makeChoice = (label: string, table: HTMLElement) => el("div", { class: "w-choice", tabindex: 0, role: "group", "aria-label": label }, table);
+
+export class Why {
+  readonly element = el("div");
+  private round: Round | null = null;
+  private stroke: number | null = null;
+  /** The shown strokes that are not part of the plan, and those that stay shown. */
+  private rejected: Rejected | null = null;
+  private kept: Rejected | null = null;
+
+  constructor(private readonly seek: (time: number) => void, private readonly choose: (choice: Choice | null) => void) {}
+
+  /** Explains the plan of a round; `otherwise` stands for missing reasons. */
+  show(round: Round | null, otherwise: string): void {
+    if (round && round === this.round) return;
+    if (this.stroke !== null || this.rejected) this.choose(null);
+    [this.round, this.stroke, this.rejected, this.kept] = [round, null, null, null];
+    const gains = round ? findGains(round) : [];
+    const { why = [], considered = [], headings = [], without, another = without ? null : undefined } = round?.plan ?? {};
+    const list = makeList(describeNeed(gains, round ? predictWhole(round) : NaN));
+    if (round && another) list.append(el("li", {}, ...this.describeAnother(round, another)));
+    list.append(...makeList([...(another === null ? ["A repetition of a stroke at the end is predicted to gain nothing."] : []), ...describeHeadings(headings), ...why]).children);
+    this.element.replaceChildren(list.childElementCount ? list : el("p", { class: "w-quiet" }, otherwise),
+      ...(considered.length ? [this.makeCandidates(considered)] : []), ...(round && gains.length ? [this.makeStrokes(round, gains)] : []));
+  }
+
+  private publish(): void {
+    if (this.round) this.choose({ round: this.round, stroke: this.stroke, rejected: this.rejected });
+  }
+
+  /** Returns the listeners that show strokes which are not part of the plan, while pointer or focus is on their element. */
+  private preview(rejected: Rejected | null): Record<string, () => void> {
+    const show = (shown: Rejected | null) => () => {
+      if (this.rejected === shown) return;
+      this.rejected = shown;
+      this.publish();
+    };
+    const leave = () => show(this.kept)();
+    return rejected ? { pointerenter: show(rejected), pointerleave: leave, focusin: show(rejected), focusout: leave } : {};
+  }
+
+  /** Returns a button that keeps strokes shown which are not part of the plan, or no longer. */
+  private makeKeeper(text: string, rejected: Rejected): HTMLElement {
+    return el("button", { type: "button", class: "w-link", "aria-pressed": "false", title: "Show its strokes in the scene", click: ({ currentTarget }: MouseEvent) => {
+      this.kept = this.kept === rejected ? null : rejected;
+      for (const button of this.element.querySelectorAll(".w-link[aria-pressed]")) button.setAttribute("aria-pressed", String(button === currentTarget && this.kept !== null));
+      this.rejected = this.kept;
+      this.publish();
+    } }, text);
+  }
+
+  private describeAnother({ plan: { strokes } }: Round, { gain, line, way }: { gain: number; line: Places; way: number }): (Node | string)[] {
+    const again = strokes.findIndex((stroke) => String(stroke) === String(line));
+    const rejected = { name: "A stroke more than the plan has", lines: [line] };
+    const what = again < 0 ? "One more stroke" : `Stroke ${again + 1} once more at the end`;
+    return [el("span", this.preview(rejected), this.makeKeeper(what, rejected)), ` is predicted to gain ${percent(gain, 1)} with ${fixed(way, 2)} m in contact.`];
+  }
+
+  /** Makes the table of the candidate plans, by falling score. */
+  private makeCandidates(considered: readonly Considered[]): HTMLElement {
+    const names = ["Strategy", "Score", "Share", "Lost", "Contact", "Time"];
+    const rows = [...considered].sort((a, b) => (b.score ?? -Infinity) - (a.score ?? -Infinity)).map((one) => {
+      const { strategy, chosen, score, predicted, lost, strokes, in_contact: way, duration, error, lines } = one;
+      const rejected = !chosen && lines?.length ? { name: `Rejected plan: ${strategy}, ${lines.length} strokes`, lines } : null;
+      const cells = [formatKnown(score, (score) => fixed(score, 2)), formatKnown(predicted, percent), formatKnown(lost, percent), formatKnown(way, (way) => `${fixed(way, 2)} m`), formatKnown(duration, (time) => `${fixed(time, 0)} s`)];
+      return el("tr", { "data-chosen": chosen, title: typeof strokes === "number" && `${strokes} strokes`, ...this.preview(rejected) },
+        el("th", { scope: "row" }, chosen && "\u2713 ", rejected ? this.makeKeeper(strategy, rejected) : strategy, chosen && el("span", { class: "w-hidden" }, " (chosen)")),
+        ...(error ? [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${error}`)] : cells.map((text) => el("td", {}, text))));
+    });
+    return makeChoice("Candidate plans", makeTable(names, rows, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."));
+  }
+
+  /** Makes the table of the strokes. A click on a stroke shows where it begins, and below it the board with and without it. */
+  private makeStrokes(round: Round, gains: readonly StrokeGain[]): HTMLElement {
+    const isKnown = gains.some(({ marginal }) => marginal !== null);
+    const names = ["Stroke", "In turn", ...(isKnown ? ["Marginal"] : []), "Contact", "Time"];
+    const detail = el("td", { colspan: names.length, class: "w-stroke" });
+    const below = el("tr", {}, detail);
+    const rows = gains.map((one) => {
+      const { stroke, gain, marginal, way, start, time } = one;
+      const button = el("button", { type: "button", class: "w-link", "aria-expanded": "false", click: () => {
+        const isOpen = this.stroke === stroke;
+        this.stroke = isOpen ? null : stroke;
+        for (const row of rows) row.querySelector("button")!.setAttribute("aria-expanded", String(row === own && !isOpen));
+        below.remove();
+        if (!isOpen) {
+          detail.replaceChildren(...makeStrokeFigures(round, stroke), makeList(describeStroke(round, one)));
+          own.after(below);
+          below.scrollIntoView({ block: "nearest" });
+          this.seek(round.start + start);
+        }
+        this.publish();
+      } }, String(stroke + 1));
+      const own = el("tr", {}, el("th", { scope: "row" }, button),
+        ...[signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`].map((text) => el("td", {}, text)));
+      return own;
+    });
+    return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));
+  }
+}
