@@ -42,9 +42,10 @@ pub use particles::{
     particles_from_csv, particles_to_csv, read_observed_image, read_observed_list,
 };
 pub use process::{
-    DoneRecord, DriverRobotRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, ObservationRecord,
-    PauseRecord, PauseSwitch, ProcessExecutor, ProcessOptions, ResumeRecord, SampleRecord,
-    StampClockRecord, StopKindRecord, WrenchAxes, WrenchQualityRecord, kill_executors,
+    DoneRecord, DriverRobotRecord, EXECUTOR_PROTOCOL, EndingRecord, Intake, MAX_SILENCE_S,
+    ObservationRecord, PauseRecord, PauseSwitch, ProcessExecutor, ProcessOptions, ResumeRecord,
+    SampleRecord, StampClockRecord, StopKindRecord, WrenchAxes, WrenchQualityRecord,
+    kill_executors,
 };
 pub use records::{
     AbandonedRecord, AttemptRecord, BendContactRecord, CandidateSummary, ContactResidualRecord,

@@ -18,8 +18,8 @@ use wisch::run::{
 };
 use wisch::source_location::UnknownName;
 use wisch_io::{
-    DoneRecord, DriverRobotRecord, EndingRecord, Intake, ObservationRecord, PauseRecord,
-    ResumeRecord, Robot, SampleRecord, StampClockRecord, StopKindRecord, WrenchAxes,
+    DoneRecord, DriverRobotRecord, EndingRecord, Intake, MAX_SILENCE_S, ObservationRecord,
+    PauseRecord, ResumeRecord, Robot, SampleRecord, StampClockRecord, StopKindRecord, WrenchAxes,
     WrenchQualityRecord,
 };
 
@@ -202,7 +202,12 @@ impl Executor for PyExecutor<'_> {
             Ok(motion) => motion,
             Err(error) => return self.raise(error),
         };
-        let watchdog = match Watchdog::begin(py, self.timeout) {
+        let silence = match max_silence(&self.object) {
+            Ok(silence) => silence,
+            Err(error) => return self.raise(error),
+        };
+        let limit = self.timeout.into_iter().chain(silence).min();
+        let watchdog = match Watchdog::begin(py, limit) {
             Ok(watchdog) => watchdog,
             Err(error) => return self.raise(error),
         };
@@ -277,6 +282,22 @@ fn stamp_clock(object: &Bound<'_, PyAny>) -> PyResult<Option<StampClock>> {
     let name: Option<String> = stated.extract()?;
     let record = name.map(StampClockRecord::try_from).transpose();
     Ok(record.map_err(plain)?.map(|record| record.0))
+}
+
+/// Returns the longest silence of an executor in a motion, if it states one.
+fn max_silence(object: &Bound<'_, PyAny>) -> PyResult<Option<Duration>> {
+    let stated = object.getattr_opt("max_silence_s")?;
+    let Some(stated) = stated.filter(|stated| !stated.is_none()) else {
+        return Ok(None);
+    };
+    let seconds: f64 = stated.extract()?;
+    let [least, most] = MAX_SILENCE_S;
+    if (least..=most).contains(&seconds) {
+        Ok(Some(Duration::from_secs_f64(seconds)))
+    } else {
+        let wanted = format!("a time of {least} to {most} s");
+        Err(refused("max_silence_s", seconds, wanted))
+    }
 }
 
 /// Refuses a curved surface for an executor that does not state that it knows them: it would press along one normal.
@@ -360,6 +381,7 @@ impl Round<'_> {
         Execution {
             duration: last.map_or(0.0, |last| last.time_s),
             ending: Ending::Stopped,
+            pauses: self.intake.pauses().to_vec(),
             // Empty if they are not measured.
             ..Execution::from_positions(last.map_or(&[], |last| &last.positions))
         }

@@ -6,10 +6,11 @@ use crate::pictures;
 use crate::plan::{PyPlan, PyPrediction};
 use crate::telemetry::PyTelemetry;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::sync::Arc;
 use wisch::follow::Audit;
 use wisch::plan::PlanConfig;
-use wisch::run::{PlannedRound, Round};
+use wisch::run::{Ending, Pause, PlannedRound, Round};
 
 /// Result of the independent check of a motion.
 #[pyclass(name = "Audit", module = "wisch", frozen)]
@@ -142,6 +143,29 @@ impl PyRound {
     #[getter]
     fn ending(&self) -> &'static str {
         self.round.execution.ending.as_str()
+    }
+
+    /// Reason of an early end or a protective stop.
+    #[getter]
+    fn ending_cause(&self) -> Option<String> {
+        match &self.round.execution.ending {
+            Ending::Complete | Ending::Stopped => None,
+            Ending::Early { cause, .. } => Some(cause.to_string()),
+            Ending::ProtectiveStop { cause, .. } => Some(cause.to_string()),
+        }
+    }
+
+    #[getter]
+    fn pauses<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let record = |pause: &Pause| {
+            let dict = PyDict::new(py);
+            dict.set_item("start_s", pause.start)?;
+            dict.set_item("end_s", pause.end)?;
+            dict.set_item("phase", pause.phase.as_str())?;
+            dict.set_item("reason", &pause.reason)?;
+            Ok(dict)
+        };
+        self.round.execution.pauses.iter().map(record).collect()
     }
 
     #[getter]

@@ -184,6 +184,28 @@ def test_an_executor_that_hangs_is_interrupted(task, robot, how, thread):
     time.sleep(0.1)  # time for a late interrupt
 
 
+def test_an_executor_states_its_own_longest_silence(task, robot):
+    class Hangs(Exact):
+        max_silence_s = 0.3
+
+        def execute(self, motion, sink):
+            for k in range(GOOD):
+                sink(self.sample(motion, k))
+            time.sleep(60)
+
+    session = task.session(robot)
+    error, seconds = measure_failure(lambda: session.run(Hangs(task.surface_reaction), timeout=20), "main")
+    assert isinstance(error, wisch.WischError) and "no sample for 0.3 s" in str(error), repr(error)
+    assert seconds < 15
+    assert len(session.rounds[0].telemetry) == GOOD
+    time.sleep(0.1)  # time for a late interrupt
+
+    hangs = Hangs(task.surface_reaction)
+    hangs.max_silence_s = 0
+    with pytest.raises(wisch.WischError, match="max_silence_s: expected a time of 0.02 to 60 s, found 0"):
+        task.session(robot).run(hangs)
+
+
 @pytest.mark.parametrize("looks", [1, 2], ids=["before the first plan", "after a motion"])
 @pytest.mark.parametrize("thread", ["main", "other"])
 def test_an_observation_without_end_is_interrupted(robot, looks, thread):
@@ -375,6 +397,7 @@ def test_an_interrupted_executor_finishes_once(task, robot):
         def execute(self, motion, sink):
             self.note("execute")
             sink(self.sample(motion, 0))
+            sink.pause(motion.time_s[0], "a door is open")
             raise KeyboardInterrupt
 
     executor = Interrupted(task.surface_reaction)
@@ -385,6 +408,8 @@ def test_an_interrupted_executor_finishes_once(task, robot):
     # The next call interprets what was measured. A stopped robot does not move again.
     session.run(executor)
     assert executor.calls == ["prepare", "execute", "finish"]
+    [pause] = session.rounds[0].pauses
+    assert (pause["end_s"], pause["reason"]) == (None, "a door is open")
 
 
 def test_a_paused_executor_is_not_silent_and_unusable_wrenches_are_no_touch(task, robot):
@@ -403,7 +428,9 @@ def test_a_paused_executor_is_not_silent_and_unusable_wrenches_are_no_touch(task
 
     session = task.session(robot, rounds=1)
     [round] = session.run(Paused(task.surface_reaction), timeout=1.0)
-    assert round.ending == "complete"
+    assert (round.ending, round.ending_cause) == ("complete", None)
+    [pause] = round.pauses
+    assert pause["end_s"] - pause["start_s"] == pytest.approx(60.0)
     unusable = np.count_nonzero(round.telemetry.wrench_quality == 2)
     assert unusable == -(-len(round.telemetry) // 10)
     [doubt] = [doubt for doubt in round.interpretation.doubts if "not used as touch" in doubt]

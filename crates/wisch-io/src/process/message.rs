@@ -10,8 +10,8 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::flatten_pose;
 use wisch::run::{ForceRamp, MotionOrder, Setpoint};
 
-/// Range of the silence that a child permits itself during a motion [s].
-const MAX_SILENCE_S: [f64; 2] = [0.02, 60.0];
+/// Range of the silence that an executor permits itself during a motion \[s\].
+pub const MAX_SILENCE_S: [f64; 2] = [0.02, 60.0];
 /// Range of the error between points [rad or m].
 const KNOT_ERROR_RAD: [f64; 2] = [1e-6, 0.1];
 

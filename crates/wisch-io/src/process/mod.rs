@@ -14,6 +14,7 @@ mod status;
 pub use child::kill_executors;
 pub use described::DriverRobotRecord;
 pub use intake::{DoneRecord, EndingRecord, Intake, SampleRecord, StopKindRecord, WrenchAxes};
+pub use message::MAX_SILENCE_S;
 pub use observation::ObservationRecord;
 pub use pause_switch::PauseSwitch;
 pub use status::{PauseRecord, ResumeRecord, StampClockRecord, WrenchQualityRecord};

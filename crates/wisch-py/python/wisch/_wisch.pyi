@@ -409,7 +409,8 @@ class Session:
     Long computations run without Python's lock. Ctrl-C is raised in every stage; the stage itself runs to its end, and the
     session can continue from there. ``on_event`` is called with every event as a dict, as ``wisch run --events`` writes it; if
     it returns False, the session stops. An executor is called on the caller's thread; if it passes no sample, or its
-    ``observe`` does not return, within ``timeout`` [s], the session stops waiting and raises WischError.
+    ``observe`` does not return, within ``timeout`` [s], the session stops waiting and raises WischError. An executor's own
+    ``max_silence_s`` limits the time between samples too.
     """
     def plan(self, executor: Executor | None = None, *, on_event: OnEvent | None = None) -> Plan:
         """Plan the current round, unless it is planned. Before the first plan, ``observe`` of an executor with a camera is called."""
@@ -489,6 +490,12 @@ class Round:
     def duration_s(self) -> float: ...
     @property
     def ending(self) -> Literal["complete", "stopped", "ended early", "protective stop"]: ...
+    @property
+    def ending_cause(self) -> str | None:
+        """Reason of an early end or a protective stop."""
+    @property
+    def pauses(self) -> list[dict[str, Any]]:
+        """Pauses of the motion: start_s, end_s (None if the motion ended in it), phase, reason."""
     @property
     def verdict(self) -> str: ...
     def _repr_svg_(self) -> str: ...
