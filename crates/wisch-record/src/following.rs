@@ -23,6 +23,8 @@ pub struct FollowedPlan {
     pub abandoned_share: f64,
     /// Time for planning and checking the motion \[s\].
     pub time_s: f64,
+    /// Round whose motion was not executed because of its faults, with its audit.
+    pub refused: Option<(usize, Audit)>,
     /// Totals over all executed rounds, or of this motion if no round was executed.
     pub total: MotionTotal,
 }
@@ -142,6 +144,9 @@ impl FollowedPlan {
             cell: planned.cell.clone(),
             followed: planned.followed.clone(),
             audit: audit.clone(),
+            refused: session
+                .refused_motion()
+                .map(|(planned, audit)| (planned.number, audit.clone())),
             abandoned_share: planned.abandoned_share(),
             time_s,
         })
@@ -165,6 +170,8 @@ impl FollowedPlan {
     pub fn summary(&self) -> FollowingSummary {
         let total = &self.total;
         let [in_contact, in_all] = total.joint_movement;
+        let refused = self.refused.as_ref().map(|(_, audit)| audit);
+        let faults = &refused.unwrap_or(&self.audit).faults;
         FollowingSummary {
             joint_movement_in_contact_rad: in_contact,
             joint_movement_rad: in_all,
@@ -189,8 +196,9 @@ impl FollowedPlan {
             max_path_deviation_m: total.off_line[0],
             max_turn_deviation_rad: total.off_line[1],
             min_clearance_m: total.clearance,
-            faults: self.audit.faults.len(),
-            first_fault: (self.audit.faults.first()).map(ToString::to_string),
+            faults: faults.len(),
+            first_fault: faults.first().map(ToString::to_string),
+            refused_round: self.refused.as_ref().map(|(round, _)| *round),
         }
     }
 
@@ -247,8 +255,15 @@ impl FollowedPlan {
         if !self.has_shapes() {
             facts.push(("Links", NO_SHAPES.to_owned()));
         }
-        if !self.audit.faults.is_empty() {
-            facts.push(("Faults of the motion", self.audit.faults.len().to_string()));
+        if let Some((round, audit)) = &self.refused
+            && let Some(first) = audit.faults.first()
+        {
+            let count = audit.faults.len();
+            let found = format!("{count}, so it is not executed; the first: {first}");
+            facts.push(match round {
+                1 => ("Faults of the motion", found),
+                _ => ("Faults of a motion", format!("in round {round}: {found}")),
+            });
         }
         let of_first = |label: &str| OF_FIRST_ROUND.contains(&label).then_some(1);
         (facts.into_iter())

@@ -321,6 +321,8 @@ fn a_motion_with_a_fault_is_never_executed() {
     let is_off_line = |fault: &MotionFault| matches!(fault, MotionFault::OffLine { .. });
     assert!(audit.faults.iter().any(is_off_line), "{:?}", audit.faults);
     assert_eq!(session.audit(), Some(audit));
+    let refused = session.refused_motion().map(|(planned, _)| planned.number);
+    assert_eq!(refused, Some(1));
 }
 
 #[test]

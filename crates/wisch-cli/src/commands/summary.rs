@@ -174,8 +174,11 @@ pub(super) fn in_words(
             performance_in_words(summary, prediction, rounds),
         ));
         if let Some(following) = &summary.following {
-            let first = following.first_fault.as_deref();
-            lines.extend(faults_in_words(following.faults, first));
+            lines.extend(faults_in_words(
+                following.faults,
+                following.first_fault.as_deref(),
+                following.refused_round,
+            ));
         }
         lines.extend(rounds_in_words(rounds, prediction.target_performance));
         if summary.execution.is_some() {
@@ -336,23 +339,35 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
     lines
 }
 
-/// The verdict on a motion with faults, and the first of them; nothing for a motion without a fault.
-fn faults_in_words(count: usize, first: Option<&str>) -> Vec<(&'static str, String)> {
+/// The verdict on a motion with faults, and the first of them; nothing for a motion without a fault. `round`: its round in a run.
+fn faults_in_words(
+    count: usize,
+    first: Option<&str>,
+    round: Option<usize>,
+) -> Vec<(&'static str, String)> {
     let Some(first) = first else {
         return Vec::new();
     };
     let verdict = Verdict::UnsafeMotion.as_str();
     let faults = counted(count, "fault");
-    let file = path_in_results(FOLLOWING_FILE);
+    let motion = match round {
+        Some(round @ 2..) => format!("the motion of round {round}"),
+        _ => "the motion".to_owned(),
+    };
+    // The file is about the first round.
+    let rest = match round {
+        Some(2..) => String::new(),
+        _ => format!(
+            "; all faults are in {}",
+            path_in_results(FOLLOWING_FILE).display()
+        ),
+    };
     vec![
         (
             "verdict",
-            format!("{verdict}: the audit found {faults}, so the motion is not executed"),
+            format!("{verdict}: the audit found {faults}, so {motion} is not executed"),
         ),
-        (
-            "first fault",
-            format!("{first}; all faults are in {}", file.display()),
-        ),
+        ("first fault", format!("{first}{rest}")),
     ]
 }
 
@@ -395,8 +410,8 @@ mod tests {
 
     #[test]
     fn a_motion_with_faults_has_a_verdict_and_names_the_first() {
-        assert!(faults_in_words(0, None).is_empty());
-        let lines = faults_in_words(2, Some("at 1.000 s: the tool leans"));
+        assert!(faults_in_words(0, None, None).is_empty());
+        let lines = faults_in_words(2, Some("at 1.000 s: the tool leans"), None);
         let expected = "unsafe motion: the audit found 2 faults, so the motion is not executed";
         assert_eq!(lines[0], ("verdict", expected.to_owned()));
         let (name, fault) = &lines[1];
@@ -405,5 +420,10 @@ mod tests {
             fault.starts_with("at 1.000 s: the tool leans; all faults are in "),
             "{fault}"
         );
+        let lines = faults_in_words(1, Some("at 1.000 s: the tool leans"), Some(3));
+        let expected =
+            "unsafe motion: the audit found 1 fault, so the motion of round 3 is not executed";
+        assert_eq!(lines[0], ("verdict", expected.to_owned()));
+        assert_eq!(lines[1].1, "at 1.000 s: the tool leans");
     }
 }

@@ -138,8 +138,10 @@ pub struct FollowingSummary {
     pub abandoned_nodes: usize,
     /// Obstruction of the first abandoned node; null without abandoned nodes.
     pub first_obstruction: Option<String>,
-    /// First fault that the audit found in the motion, which is then not executed; null without a fault.
+    /// First fault that the audit found in a motion, which is then not executed; null without a fault.
     pub first_fault: Option<String>,
+    /// Round of a run whose motion has faults; null without a fault.
+    pub refused_round: Option<usize>,
     /// Performance lost to abandoned nodes: prediction of the plan minus prediction of the motion.
     pub abandoned_share: f64,
     /// Base poses in order of time: x \[m\], y \[m\], heading \[rad\] in the world.
@@ -169,6 +171,6 @@ pub struct FollowingSummary {
     pub max_turn_deviation_rad: f64,
     /// Minimum clearance between bodies that must not touch, in all rounds; at most 0.5.
     pub min_clearance_m: f64,
-    /// Number of faults that an independent check of the whole motion has found; 0 for a valid motion.
+    /// Number of faults that an independent check has found in the motion with faults; 0 if every motion is valid.
     pub faults: usize,
 }

@@ -216,6 +216,16 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// The motion that was not executed because of its faults, with its audit, if the session ended with one.
+    pub fn refused_motion(&self) -> Option<(&PlannedRound, &Audit)> {
+        match &self.state {
+            State::Ended(Some(refused)) if !refused.1.faults.is_empty() => {
+                Some((&refused.0, &refused.1))
+            }
+            _ => None,
+        }
+    }
+
     /// The rounds with an execution and a verdict, in order; a motion with faults is not among them.
     pub fn rounds(&self) -> &[Round] {
         &self.rounds
