@@ -1,6 +1,7 @@
 //! Frames of a predicted effect over time.
 
-use wisch::geometry::{PlanarPose, Point2};
+use std::collections::HashSet;
+use wisch::geometry::{Bounds2, PlanarPose, Point2};
 use wisch::plan::{Plan, PredictionProgress};
 use wisch::represent::{Action, Fate, GoalState, ParticleDistribution, Performance, Surface, Task};
 
@@ -10,8 +11,8 @@ pub const MAX_FRAMES: usize = 80;
 pub const MAX_DRAWN: usize = 6_000;
 /// Distance below which coordinates belong to the same row or column of a grid [m].
 const SAME_LINE: f64 = 1e-6;
-/// Points that fill less of their grid than one in this number are no grid.
-const SPARSE: usize = 20;
+/// Deviation from which distances of lines are no multiples of one distance, as a share of it [1].
+const UNEQUAL: f64 = 0.05;
 
 /// The state of the particles at one time of a prediction.
 #[derive(Debug, Clone)]
@@ -143,53 +144,83 @@ impl PlaceGrid {
 
     /// Selects at most `most` points. Of points that are not in rows and columns, every n-th is kept.
     pub(crate) fn new(places: &[Point2], most: usize) -> Self {
-        let lines = [0, 1].map(|axis| lines_along(places, axis));
-        let [columns, rows] = [&lines[0], &lines[1]].map(Vec::len);
-        if columns.saturating_mul(rows) > SPARSE.saturating_mul(places.len()) {
-            let step = thinning(places.len(), most);
-            let size = [&lines[0], &lines[1]].map(|line| line[line.len() - 1] - line[0]);
-            let side = (size[0] * size[1] * step as f64 / places.len() as f64).sqrt();
-            return Self {
-                kept: (0..places.len()).step_by(step).collect(),
-                cell: [side, side],
-            };
-        }
-        let rank = |place: &Point2, axis: usize| {
-            lines[axis].partition_point(|line| *line < place[axis] - SAME_LINE)
+        let Some((indices, gaps)) = find_lattice(places) else {
+            return Self::of_loose_points(places, most);
         };
-        let ranks: Vec<[usize; 2]> = (places.iter())
-            .map(|place| [rank(place, 0), rank(place, 1)])
-            .collect();
+        let counts = [0, 1].map(|axis| indices.iter().map(|index| index[axis]).max().unwrap_or(0));
         let mut step = 1;
         loop {
             let is_kept = |i: &usize| {
-                let mut axes = ranks[*i].iter().zip(&lines);
-                axes.all(|(rank, lines)| rank % step == (step / 2).min(lines.len() - 1))
+                let mut axes = indices[*i].iter().zip(counts);
+                axes.all(|(index, last)| index % step == (step / 2).min(last))
             };
             let kept: Vec<usize> = (0..places.len()).filter(is_kept).collect();
             if kept.len() <= most {
-                let gap = |line: &Vec<f64>| {
-                    let gaps = line.windows(2).map(|pair| pair[1] - pair[0]);
-                    gaps.fold(f64::INFINITY, f64::min)
-                };
-                let gaps = [gap(&lines[0]), gap(&lines[1])];
-                let least = gaps[0].min(gaps[1]);
-                // A single row is as high as its columns are wide.
-                let cell = gaps.map(|gap| if gap.is_finite() { gap } else { least });
-                return Self {
-                    kept,
-                    cell: cell.map(|gap| {
-                        if gap.is_finite() {
-                            step as f64 * gap
-                        } else {
-                            0.0
-                        }
-                    }),
-                };
+                let cell = gaps.map(|gap| step as f64 * gap);
+                return Self { kept, cell };
             }
             step += 1;
         }
     }
+
+    fn of_loose_points(places: &[Point2], most: usize) -> Self {
+        let step = thinning(places.len(), most);
+        let size = Bounds2::from_points(places.iter().copied()).map_or(0.0, |bounds| {
+            let size = bounds.size();
+            size.x * size.y
+        });
+        let side = (size * step as f64 / places.len().max(1) as f64).sqrt();
+        Self {
+            kept: (0..places.len()).step_by(step).collect(),
+            cell: [side, side],
+        }
+    }
+}
+
+/// Returns the column and row of each point, and the distances of columns and of rows [m]. `None` if the points are not at
+/// equal distances along both axes, or if less than half of them have a neighbour.
+fn find_lattice(places: &[Point2]) -> Option<(Vec<[usize; 2]>, [f64; 2])> {
+    let lines = [0, 1].map(|axis| lines_along(places, axis));
+    let gaps = [equal_gap(&lines[0])?, equal_gap(&lines[1])?];
+    // A single row is as high as its columns are wide.
+    let least = gaps[0].min(gaps[1]);
+    let gaps = gaps.map(|gap| if gap.is_finite() { gap } else { least });
+    if !least.is_finite() {
+        return None;
+    }
+    let index = |place: &Point2, axis: usize| {
+        ((place[axis] - lines[axis][0]) / gaps[axis]).round() as usize
+    };
+    let indices: Vec<[usize; 2]> = (places.iter())
+        .map(|place| [index(place, 0), index(place, 1)])
+        .collect();
+    let all: HashSet<[usize; 2]> = indices.iter().copied().collect();
+    let has_neighbour = |[i, j]: &[usize; 2]| {
+        let mut around = [
+            [i.wrapping_sub(1), *j],
+            [i + 1, *j],
+            [*i, j.wrapping_sub(1)],
+            [*i, j + 1],
+        ]
+        .into_iter();
+        around.any(|index| all.contains(&index))
+    };
+    let count = all.iter().filter(|index| has_neighbour(index)).count();
+    (2 * count >= all.len()).then_some((indices, gaps))
+}
+
+/// Returns the distance of neighbouring lines if all distances are multiples of it, infinity for a single line.
+fn equal_gap(lines: &[f64]) -> Option<f64> {
+    let gaps = || lines.windows(2).map(|pair| pair[1] - pair[0]);
+    let least = gaps().fold(f64::INFINITY, f64::min);
+    let count: f64 = gaps().map(|gap| (gap / least).round()).sum();
+    if count == 0.0 {
+        return Some(f64::INFINITY);
+    }
+    // The mean, as coordinates in files are rounded.
+    let mean = (lines[lines.len() - 1] - lines[0]) / count;
+    let is_multiple = |gap: f64| (gap / mean - (gap / mean).round()).abs() < UNEQUAL;
+    gaps().all(is_multiple).then_some(mean)
 }
 
 /// Returns the distinct coordinates of points along an axis, rising [m].
@@ -235,6 +266,15 @@ mod tests {
     }
 
     #[test]
+    fn a_diagonal_strip_of_a_grid_is_a_grid() {
+        let is_near = |place: &Point2| (place.x - place.y).abs() < 0.011;
+        let strip: Vec<Point2> = grid(100, 100).into_iter().filter(is_near).collect();
+        let found = PlaceGrid::new(&strip, 1_000);
+        assert_eq!(found.kept.len(), strip.len());
+        assert!(found.cell.iter().all(|side| (side - 0.01).abs() < 1e-9));
+    }
+
+    #[test]
     fn points_without_rows_are_thinned_one_by_one() {
         let places: Vec<Point2> = (0..1_000)
             .map(|i| Point2::new(f64::from(i * 7_919 % 1_000), f64::from(i)))
@@ -242,6 +282,12 @@ mod tests {
         let thinned = PlaceGrid::new(&places, 500);
         assert_eq!(thinned.kept.len(), 500);
         assert!((thinned.cell[0] - 44.7).abs() < 0.2, "{:?}", thinned.cell);
+        let few = [[0.0, 0.0], [0.013, 0.051], [0.094, 0.02]].map(Point2::from);
+        let side = PlaceGrid::new(&few, 500).cell[0];
+        assert!(
+            (side - (0.094_f64 * 0.051 / 3.0).sqrt()).abs() < 1e-9,
+            "{side}"
+        );
         assert!(PlaceGrid::new(&[], 10).kept.is_empty());
         assert_eq!(PlaceGrid::new(&[Point2::origin()], 10).cell, [0.0, 0.0]);
     }

@@ -1,6 +1,7 @@
 //! The candidate plans of a round.
 
 use super::particles::line;
+use super::reasons::find_lost_share;
 use super::samples::round_to;
 use serde::Serialize;
 use wisch::plan::{Plan, Stroke};
@@ -39,8 +40,7 @@ impl ConsideredRecord {
             chosen: false,
             score: found.ok().map(|found| round_to(found.score.total, 1e4)),
             predicted: performance.map(|found| round_to(found.ratio(), 1e4)),
-            lost: performance
-                .map(|found| round_to(found.lost as f64 / found.initial.max(1) as f64, 1e4)),
+            lost: performance.as_ref().map(find_lost_share),
             strokes: plan.map(|plan| plan.strokes.len()),
             in_contact: plan.map(|plan| round_to(Plan::contact_distance(plan), 1e3)),
             duration: one.motion.map(|motion| round_to(motion.duration, 1e2)),

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use wisch::follow::Followed;
 use wisch::geometry::{PlanarPose, Vector2, wrap_angle};
 use wisch::plan::{Plan, Prediction, Stroke, predict};
-use wisch::represent::Task;
+use wisch::represent::{Performance, Task};
 
 /// Largest number of predicted strokes, times particles, for which the plans without one stroke are predicted.
 const MAX_WORK: usize = 8_000_000;
@@ -70,7 +70,7 @@ impl Reasons {
         plan: &Plan,
         wiped: &Plan,
         followed: Option<&Followed>,
-        performance: f64,
+        performance: &Performance,
     ) -> Self {
         let count = wiped.strokes.len();
         let work = count
@@ -79,7 +79,7 @@ impl Reasons {
         let (without, another) = if work <= MAX_WORK {
             (
                 leave_out_each(task, wiped),
-                repeat_best(task, wiped, performance),
+                repeat_best(task, wiped, performance.ratio()),
             )
         } else {
             (Vec::new(), None)
@@ -93,6 +93,14 @@ impl Reasons {
                 .collect(),
         }
     }
+}
+
+/// Returns the predicted share of lost dirt [1].
+pub(super) fn find_lost_share(performance: &Performance) -> f64 {
+    round_to(
+        performance.lost as f64 / performance.initial.max(1) as f64,
+        1e4,
+    )
 }
 
 fn predict_strokes(task: &Task, wiped: &Plan, strokes: Vec<Stroke>) -> Prediction {
@@ -109,11 +117,10 @@ fn leave_out_each(task: &Task, wiped: &Plan) -> Vec<LeftOut> {
         let mut strokes = wiped.strokes.clone();
         strokes.remove(stroke);
         let found = predict_strokes(task, wiped, strokes);
-        let lost = found.performance.lost as f64 / found.performance.initial.max(1) as f64;
         LeftOut {
             stroke,
             performance: round_to(found.performance.ratio(), 1e4),
-            lost: round_to(lost, 1e4),
+            lost: find_lost_share(&found.performance),
             particles: match places {
                 Some(_) => Vec::new(),
                 None => flat_remaining(&found.particles),
@@ -180,12 +187,14 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
         .fold((swept, swept), |(least, widest), width| {
             (least.min(width), widest.max(width))
         });
-    let [swept, least, widest] = [swept, least, widest].map(|width| metres(1e3 * width, 0));
+    // In steps of 5 mm, so that nearly equal strokes have the same sentence.
+    let [swept, least, widest] =
+        [swept, least, widest].map(|width| metres(5.0 * (1e3 * width / 5.0).round(), 0));
     let lane = if least == widest {
-        format!("The tool sweeps a lane of {swept} mm")
+        format!("The tool sweeps a lane of about {swept} mm")
     } else {
         format!(
-            "The tool first sweeps a lane of {swept} mm; its contact area allows {least} to {widest} mm"
+            "The tool first sweeps a lane of about {swept} mm; its contact area allows {least} to {widest} mm"
         )
     };
     match turn_against_plan(task, plan, stroke) {

@@ -4,7 +4,7 @@ use super::considered::ConsideredRecord;
 use super::logged::{self, Log, LoggedRound};
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::phases::{PhaseRecord, phases};
-use super::reasons::Reasons;
+use super::reasons::{Reasons, find_lost_share};
 use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
 use super::surface::SurfaceRecord;
 use super::treated::{TreatedPlaces, TreatmentRecord};
@@ -14,7 +14,7 @@ use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
 use wisch::follow::Followed;
 use wisch::plan::{Plan, Strategy};
-use wisch::represent::{GoalState, ScenePart, Task};
+use wisch::represent::{GoalState, Performance, ScenePart, Task};
 use wisch::run::PlannedRound;
 
 #[derive(Serialize)]
@@ -31,6 +31,9 @@ pub(super) struct RoundPiece {
     strokes: Vec<Vec<i64>>,
     phases: Vec<PhaseRecord>,
     predicted: Option<f64>,
+    /// Predicted share of lost dirt [1].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lost: Option<f64>,
     growth: Vec<[f64; 2]>,
     particles: Vec<ParticleStep>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -91,7 +94,7 @@ impl RoundPiece {
             wiped: &wiped,
             followed,
             frames,
-            predicted: planned.prediction.performance.ratio(),
+            predicted: planned.prediction.performance,
             why,
         }
         .piece(meshes, written)
@@ -116,7 +119,7 @@ impl RoundPiece {
             wiped: planned.plan,
             followed,
             frames: planned.frames,
-            predicted: planned.prediction.performance.ratio(),
+            predicted: planned.prediction.performance,
             why,
         }
         .piece(meshes, written)
@@ -141,6 +144,7 @@ impl RoundPiece {
             strokes: Vec::new(),
             phases,
             predicted: None,
+            lost: None,
             growth: Vec::new(),
             particles: Vec::new(),
             treatment: None,
@@ -178,7 +182,7 @@ struct Shown<'a> {
     wiped: &'a Plan,
     followed: Option<&'a Followed>,
     frames: &'a EffectFrames,
-    predicted: f64,
+    predicted: Performance,
     why: Vec<String>,
 }
 
@@ -232,7 +236,8 @@ impl Shown<'_> {
                 .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
                 .collect(),
             phases: followed.map_or_else(Vec::new, phases),
-            predicted: Some(round_to(self.predicted, 1e4)),
+            predicted: Some(round_to(self.predicted.ratio(), 1e4)),
+            lost: Some(find_lost_share(&self.predicted)),
             growth: growth.collect(),
             // The places of a treated surface rest: their values change.
             particles: match treated {
@@ -245,7 +250,7 @@ impl Shown<'_> {
             }),
             why: self.why,
             considered: Vec::new(),
-            reasons: Reasons::new(task, self.plan, wiped, followed, self.predicted),
+            reasons: Reasons::new(task, self.plan, wiped, followed, &self.predicted),
             log: None,
             meshes: meshes.since(written),
         }

@@ -54,17 +54,11 @@ pub(super) fn summarise_plan(plan: &Plan) -> String {
 
 /// Explains a plan. `wiped`: the plan without the nodes that the robot abandons.
 pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed>) -> Vec<String> {
-    let mut sentences = vec![format!(
-        "The strategy {} planned {} for the action {}: {}, {} m in contact.",
-        plan.strategy.as_str(),
-        format_count(plan.graph.nodes.len(), "node"),
-        plan.graph.goal.action().as_str(),
-        format_count(plan.strokes.len(), "stroke"),
-        metres(plan.contact_distance(), 2)
-    )];
+    let mut sentences = Vec::new();
     if wiped.strokes.len() != plan.strokes.len() {
         sentences.push(format!(
-            "The robot executes them as {}, {} m in contact.",
+            "The robot executes the {} of the plan as {}, {} m in contact.",
+            format_count(plan.strokes.len(), "stroke"),
             format_count(wiped.strokes.len(), "stroke"),
             metres(wiped.contact_distance(), 2)
         ));
@@ -112,7 +106,8 @@ fn explain_placement(followed: &Followed) -> Option<String> {
             grouped(count),
             percent(best)
         ),
-        None => format!("The robot works from {poses}."),
+        None if followed.placements.len() > 1 => format!("The robot works from {poses}."),
+        None => return None,
     })
 }
 
