@@ -28,7 +28,7 @@ function describeShares(record: TreatmentRecord, bins: Bin[], values: readonly n
 }
 
 /** Draws the values as one path per bin, in millimetres; neighbours in a row are one rectangle. */
-function drawCells(record: TreatmentRecord, values: readonly number[]): SVGElement[] {
+export function drawCells(record: TreatmentRecord, values: readonly number[]): SVGElement[] {
   const bins = binsOf(record);
   const paths = bins.map(() => "");
   const places = metres(record.places);
@@ -47,11 +47,11 @@ function drawCells(record: TreatmentRecord, values: readonly number[]): SVGEleme
   return bins.map(({ colour }, i) => svg("path", { d: paths[i]!, style: `fill:var(--${colour})` }));
 }
 
-/** Returns the figures of the first screen for a treated surface: before, predicted, estimated and true, with their scale. */
-export function makeMapFigures({ rounds }: Recording): Element[] {
+/** Returns the figures of the first screen for a treated surface: before, predicted, and estimated or, with the truth, `seam`; with their scale. */
+export function makeMapFigures({ rounds }: Recording, seam: HTMLElement | null): Element[] {
   const first = rounds[0]!;
   const last = rounds.at(-1)!;
-  const done = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
+  const done = rounds.findLast((round) => round.interpreted) ?? null;
   const unrolled = first.plan.surface.shape ? ", surface unrolled" : "";
   const record = last.plan.treatment;
   if (!record) {
@@ -66,12 +66,10 @@ export function makeMapFigures({ rounds }: Recording): Element[] {
     const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(own, values));
     return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
   };
-  const after = done && `after ${done.number} ${done.number === 1 ? "round" : "rounds"}`;
   const figures = [
     figure("Before", first, first.treated?.first ?? null),
     figure(last.number === 1 ? "Predicted" : `Predicted for round ${last.number}`, last, last.treated?.last ?? null),
-    done && figure(`Estimated ${after}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated)),
-    done && figure(`True ${after}`, done, resultValues(done.plan.treatment, done.truth?.treated)),
+    seam ?? (done && figure(`Estimated after ${done.number} ${done.number === 1 ? "round" : "rounds"}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated))),
   ].filter((one) => one !== null);
   const quantity = quantityOf(last);
   const title = `${capitalise(quantity)} per place${unrolled}`;

@@ -83,6 +83,14 @@ for (const [theme, colours] of THEMES) {
     for (const [a, b] of SAME) assert.equal(colours[a], colours[b], `${a} means what ${b} means`);
   });
 
+  test(`${theme}: all shades of a density stand out from pictures and legends, and from each other`, () => {
+    const shares = [1, ...[...readFileSync("src/style/story.css", "utf8").matchAll(/\.w-density-\d \{ fill: color-mix\(in srgb, var\(--estimated\) (\d+)%, var\(--ink\)\)/g)].map(([, share]) => share / 100)];
+    assert.equal(shares.length, 3);
+    const shades = shares.map((share) => blend(colours.estimated, colours.ink, share));
+    for (const shade of shades) for (const ground of grounds(colours).picture) assert.ok(contrast(shade, ground) >= MARK_CONTRAST, `${shade} on ${ground}`);
+    for (const [i, shade] of shades.slice(1).entries()) assert.ok(difference(shade, shades[i]) >= 5, `${shade} and ${shades[i]}`);
+  });
+
   test(`${theme}: too little, allowed and too much of a map differ for all eyes`, () => {
     const names = Object.keys(colours).filter((one) => /^(little|allowed|much)-/.test(one));
     assert.equal(names.length, 9);
