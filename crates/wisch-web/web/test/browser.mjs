@@ -158,6 +158,26 @@ const cases = {
     await page.close();
   },
 
+  async "6,000 crumbs play as solids"() {
+    const { page, complaints, picture } = await show("crumbs", lines(sample({ count: 6000 })), { hash: "#t=1.7" });
+    await page.waitForFunction(() => window.firstFrame);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.keyboard.press("Space");
+    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now()]);
+    await page.waitForTimeout(500);
+    const [frames, before] = await progress();
+    await page.waitForTimeout(3000);
+    const [more, after] = await progress();
+    const rate = ((more - frames) * 1000) / (after - before);
+    note("playing 6,000 crumbs", rate.toFixed(1), "frames/s on software GL", ">= 12");
+    assert.ok(rate > 2);
+    await page.keyboard.press("Space");
+    await page.waitForTimeout(1500);
+    await picture("crumbs");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
   async "an address opens the page at a time"() {
     const { page, complaints } = await show("address", whole, { hash: "#t=12.3" });
     near(await time(page), 12.3, 1e-9);

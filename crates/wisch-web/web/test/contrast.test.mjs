@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { LEAST_LIGHT } from "../src/scene/grains.ts";
 import { BLINDNESS, blend, contrast, difference, differenceOfLab, lit, seenWith } from "./colours.mjs";
 
 const css = readFileSync("src/style/page.css", "utf8");
@@ -67,6 +68,8 @@ for (const [theme, colours] of THEMES) {
     for (const [front, ground] of TEXT) assert.ok(contrast(colours[front], colours[ground]) >= 4.5, `${front} on ${ground}: ${contrast(colours[front], colours[ground]).toFixed(2)}`);
     const faint = Object.entries(LIES_ON).flatMap(([mark, places]) => places.flatMap((place) => grounds(colours)[place].map((ground) => [mark, place, ground, contrast(colours[mark], ground)])));
     assert.deepEqual(faint.filter(([, , , least]) => !(least >= MARK_CONTRAST)), []);
+    // The side of a crumb that the sun does not reach.
+    for (const ground of grounds(colours).board) assert.ok(contrast(lit(colours.believed, LEAST_LIGHT), ground) >= MARK_CONTRAST, `crumbs on ${ground}: ${contrast(lit(colours.believed, LEAST_LIGHT), ground).toFixed(2)}`);
   });
 
   test(`${theme}: marks of different meaning differ, also for colour-blind eyes`, () => {

@@ -3,6 +3,7 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMa
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
+import { Grains, formOf } from "./grains.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import type { Bend, Instant, Recording } from "../store.ts";
 import type { Outcome } from "../store.ts";
@@ -58,6 +59,9 @@ export class Dirt {
   readonly group = new Group();
   private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
   private readonly shown = new Map<Mark, Float32Array | null>();
+  /** Believed and predicted dirt as solids; null while its medium has none. */
+  private grains: Grains | null = null;
+  private pixelsPerMetre = 1;
   private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
@@ -74,6 +78,7 @@ export class Dirt {
 
   paint(): void {
     for (const mark of MARKS) this.points[mark].material.color.set(colour(mark));
+    this.grains?.paint();
   }
 
   show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>): void {
@@ -83,7 +88,14 @@ export class Dirt {
     const { pose, shape } = round.plan.surface;
     // The places of a treated surface are no dirt.
     const dirty = !isTreated(round);
-    this.set("believed", dirty && layers.believed ? round.particles.at(time) : null, pose, shape, 1);
+    const believed = dirty && layers.believed ? round.particles.at(time) : null;
+    const form = formOf(recording.head?.task?.medium);
+    if (form && !this.grains) {
+      this.grains = new Grains(form);
+      this.group.add(this.grains.group);
+    }
+    this.grains?.show(believed, pose, shape, this.pixelsPerMetre);
+    this.set("believed", this.grains ? null : believed, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome, or what was known before the first round, fades once the robot wipes and so changes it.
     const opacity = recording.endedAt(t) || t < round.start + round.firstContact ? 1 : 0.45;
@@ -96,6 +108,7 @@ export class Dirt {
   scale(pixelsPerMetre: number): void {
     const size = Math.min(1.25, Math.max(0.7, (CRUMB_M * pixelsPerMetre) / SIZE.believed));
     for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
+    this.pixelsPerMetre = pixelsPerMetre;
   }
 
   private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], shape: Bend, opacity: number): void {
