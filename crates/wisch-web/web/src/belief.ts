@@ -99,6 +99,6 @@ export function compareWithTruth(round: Round): Comparison[] {
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
   const isInside = performance >= low && performance <= high;
-  const off = `${fixed(100 * Math.abs(mean - performance), 1)} points, ${isInside ? "inside" : "outside"} the 90\u202f% interval`;
+  const off = `${fixed(100 * Math.abs(mean - performance), 1)} points, ${isInside ? "inside" : "outside"} the interval`;
   return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
 }

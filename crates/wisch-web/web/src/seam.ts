@@ -12,6 +12,7 @@ import type { Round } from "./round.ts";
 export const SHADES = [1, 3, 10];
 /** Where the seam may be at first: shares of the width. */
 const FIRST = [0.15, 0.85] as const;
+const LITTLE = 0.03;
 
 /** Draws each cell as a square, in millimetres: of an area that is the expected number below 1, shaded more from there on. */
 function drawDensity({ cell, places, expected }: DensityRecord): SVGElement[] {
@@ -92,14 +93,14 @@ export class Seam {
     place(Number(slider.value));
     return [
       el("div", { class: "w-seam-picture" }, picture, slider),
-      el("figcaption", {}, el("span", {}, `\u25c2 Estimated${treatment ? ", mean of the belief" : ""}`), el("span", {}, "True \u25b8"), this.makeChoice(round)),
+      el("figcaption", {}, el("span", {}, `\u25c2 Estimated${treatment ? " mean" : ""}`), el("span", {}, "True \u25b8"), this.makeChoice(round)),
     ];
   }
 
   /** States the shown round, with buttons for the others. */
   private makeChoice(shown: Round): HTMLElement {
-    const text = `End of round${shown.plan.surface.shape ? ", surface unrolled" : ""}`;
-    if (this.rounds.length === 1) return el("p", { class: "w-rounds" }, text.replace("round", `round ${shown.number}`));
+    const text = "End of round";
+    if (this.rounds.length === 1) return el("p", { class: "w-rounds" }, `${text} ${shown.number}`);
     return el("div", { class: "w-rounds", role: "group", "aria-label": text }, text, ...this.rounds.map(({ number }) =>
       el("button", { type: "button", class: "w-button", "aria-pressed": String(number === shown.number), click: () => {
         this.chosen = number;
@@ -116,9 +117,9 @@ export class Seam {
   }
 }
 
-/** Returns where the seam divides the true dirt, so that both its sides show some. */
+/** Returns where the seam divides the true dirt, so that both its sides may show some: a little left of the middle particle. */
 function chooseShare(places: Float32Array, left: number, width: number): number {
   const columns = Array.from({ length: places.length / 2 }, (_, i) => places[2 * i]!).sort((a, b) => a - b);
   const middle = columns[columns.length >> 1];
-  return middle === undefined ? 0.5 : Math.min(FIRST[1], Math.max(FIRST[0], (middle - left) / width));
+  return middle === undefined ? 0.5 : Math.min(FIRST[1], Math.max(FIRST[0], (middle - left) / width - LITTLE));
 }

@@ -20,7 +20,7 @@ test("numbers of particles in the goal area and elsewhere are those of the densi
   const [round] = open(change).rounds;
   assert.deepEqual(compareWithTruth(round), [
     ["In the goal area", "6", "4", "2 particles"], ["Elsewhere", "4", "3", "1 particle"], ["Area that holds 90\u202f%", "0 cm\u00b2", "0 cm\u00b2", ""],
-    ["Performance", "62.0\u202f%", "50.0\u202f%", "12.0 points, outside the 90\u202f% interval"],
+    ["Performance", "62.0\u202f%", "50.0\u202f%", "12.0 points, outside the interval"],
   ]);
   const inside = open((piece) => only("truth", 1, { performance: 0.56 })(change(piece))).rounds[0];
   assert.match(compareWithTruth(inside)[3][3], /^6\.0 points, inside/);

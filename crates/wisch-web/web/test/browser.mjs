@@ -566,7 +566,7 @@ const cases = {
   async "a polished surface is a map with a scale, predicted, estimated and true"() {
     const { page, complaints, picture } = await show("polished", lines(polished()));
     await page.waitForFunction(() => window.firstFrame);
-    assert.deepEqual(await page.locator(".w-pictures figcaption").allInnerTexts(), ["Before", "Predicted for round 2", "\u25c2 Estimated, mean of the belief\nTrue \u25b8\nEnd of round\n1\n2"]);
+    assert.deepEqual(await page.locator(".w-pictures figcaption").allInnerTexts(), ["Before", "Predicted for round 2", "\u25c2 Estimated mean\nTrue \u25b8\nEnd of round\n1\n2"]);
     assert.equal(await page.locator(".w-dots").count(), 0, "places are no dirt");
     const labels = await page.locator(".w-pictures svg.w-picture").evaluateAll((list) => list.map((one) => one.getAttribute("aria-label")));
     assert.match(labels[0], /passes per place; 100\.0\u202f% too little, 0\.0\u202f% allowed, 0\.0\u202f% too much of 768 places/);
