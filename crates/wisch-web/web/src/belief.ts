@@ -1,8 +1,7 @@
 // The belief at the end of a round against the ground truth of the simulated world.
 import { fixed, percent } from "./dom.ts";
 import { PER_METRE, metres } from "./particles.ts";
-import { binOf, binsOf, isTreated, quantityOf, resultValues } from "./treated.ts";
-import type { Degree } from "./treated.ts";
+import { degreesOf, isTreated, quantityOf, resultValues, shareOf } from "./treated.ts";
 import type { DensityRecord, Places } from "./recording.ts";
 import type { Round } from "./round.ts";
 
@@ -80,15 +79,13 @@ function compareTreated(round: Round): Comparison[] {
   const record = treatment!;
   const values = [resultValues(record, interpreted!.treated)!, resultValues(record, truth!.treated)!] as const;
   const { length } = values[0];
-  const bins = binsOf(record);
-  const [estimated, actual] = values.map((list) => list.map((value) => bins[binOf(bins, record, value)]!.degree)) as [Degree[], Degree[]];
+  const [estimated, actual] = [degreesOf(record, values[0]), degreesOf(record, values[1])];
   const means = values.map((list) => list.reduce((sum, value) => sum + value, 0) / Math.max(1, length)) as [number, number];
   const mean = (value: number) => (record.unit === "passes" ? fixed(value, 2) : `${fixed(value, 1)} ${record.unit}`);
-  const allowed = (list: Degree[]) => percent(list.filter((degree) => degree === "allowed").length / Math.max(1, length), 1);
   const wrong = estimated.filter((degree, i) => degree !== actual[i]).length;
   return [
     [`Mean ${quantityOf(round)}`, mean(means[0]), mean(means[1]), mean(Math.abs(means[0] - means[1]))],
-    ["In the allowed band", allowed(estimated), allowed(actual), `${wrong} of ${length} places`],
+    ["In the allowed band", percent(shareOf(estimated, "allowed"), 1), percent(shareOf(actual, "allowed"), 1), `${wrong} of ${length} places`],
   ];
 }
 

@@ -1,9 +1,9 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
-import { capitalise, el, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
-import { CELL_REACH, DEGREES, bandText, binOf, binsOf, quantityOf, resultValues } from "./treated.ts";
-import type { Bin, Degree } from "./treated.ts";
+import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
+import type { Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import type { TreatmentRecord } from "./recording.ts";
@@ -21,10 +21,9 @@ export function makeScale(record: TreatmentRecord): HTMLElement {
 }
 
 /** Returns the shares of the places in each degree, in words. */
-function describeShares(record: TreatmentRecord, bins: Bin[], values: readonly number[]): string {
-  const counts: Record<Degree, number> = { little: 0, allowed: 0, much: 0 };
-  for (const value of values) counts[bins[binOf(bins, record, value)]!.degree]++;
-  return (Object.keys(DEGREES) as Degree[]).map((degree) => `${((100 * counts[degree]) / Math.max(1, values.length)).toFixed(1)}\u202f% ${DEGREES[degree]}`).join(", ");
+function describeShares(record: TreatmentRecord, values: readonly number[]): string {
+  const degrees = degreesOf(record, values);
+  return (Object.keys(DEGREES) as Degree[]).map((degree) => `${percent(shareOf(degrees, degree), 1)} ${DEGREES[degree]}`).join(", ");
 }
 
 /** Draws the values as one path per bin, in millimetres; neighbours in a row are one rectangle. */
@@ -62,7 +61,7 @@ export function makeMapFigures({ rounds }: Recording, seam: HTMLElement | null):
     const own = round.plan.treatment;
     if (!own || !values) return null;
     const id = uniqueId();
-    const label = `${title}: ${quantityOf(round)} per place; ${describeShares(own, binsOf(own), values)} of ${values.length} places`;
+    const label = `${title}: ${quantityOf(round)} per place; ${describeShares(own, values)} of ${values.length} places`;
     const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(own, values));
     return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
   };

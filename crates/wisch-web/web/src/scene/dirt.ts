@@ -3,18 +3,14 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMa
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
-import { Grains, formOf } from "./grains.ts";
+import { GRAIN_M, Grains, formOf } from "./grains.ts";
 import { matrix, shiftDepth } from "./solids.ts";
-import type { Bend, Instant, Recording } from "../store.ts";
-import type { Outcome } from "../store.ts";
+import type { Bend, Instant, Outcome, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
 const SIZE: Record<Mark, number> = { believed: 6, estimated: 12, actual: 8, seen: 14 };
-
-/** Size of a particle's dot [m]. */
-const CRUMB_M = 0.007;
 
 /** Draws a mark on a square of 64 pixels. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
@@ -61,7 +57,6 @@ export class Dirt {
   private readonly shown = new Map<Mark, Float32Array | null>();
   /** Believed and predicted dirt as solids; null while its medium has none. */
   private grains: Grains | null = null;
-  private pixelsPerMetre = 1;
   private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
@@ -81,7 +76,10 @@ export class Dirt {
     this.grains?.paint();
   }
 
-  show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>): void {
+  /** Shows the dirt at a time. Dots have the size of grains, within limits of visibility. */
+  show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>, pixelsPerMetre: number): void {
+    const size = Math.min(1.25, Math.max(0.7, (GRAIN_M * pixelsPerMetre) / SIZE.believed));
+    for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
     const key = `${recording.version} ${recording.rounds.filter((other) => other.end <= t + 1e-6).length}`;
     if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
     const { outcome } = this.outcome;
@@ -94,7 +92,7 @@ export class Dirt {
       this.grains = new Grains(form);
       this.group.add(this.grains.group);
     }
-    this.grains?.show(believed, pose, shape, this.pixelsPerMetre);
+    this.grains?.show(believed, pose, shape, pixelsPerMetre);
     this.set("believed", this.grains ? null : believed, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome, or what was known before the first round, fades once the robot wipes and so changes it.
@@ -102,13 +100,6 @@ export class Dirt {
     this.set("estimated", dirty && layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
     this.set("actual", dirty && layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
-  }
-
-  /** Scales the dots to the size of crumbs, within limits of visibility. */
-  scale(pixelsPerMetre: number): void {
-    const size = Math.min(1.25, Math.max(0.7, (CRUMB_M * pixelsPerMetre) / SIZE.believed));
-    for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
-    this.pixelsPerMetre = pixelsPerMetre;
   }
 
   private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], shape: Bend, opacity: number): void {

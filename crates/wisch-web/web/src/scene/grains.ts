@@ -10,7 +10,7 @@ import type { Bend } from "../store.ts";
 export type Form = "crumb" | "drop";
 
 /** Diameter of a grain, as long as at most FEW grains are shown; more of them are smaller [m]. */
-const GRAIN_M = 0.007;
+export const GRAIN_M = 0.007;
 const FEW = 600;
 /** Limits of the diameter on the screen [pixels]. */
 const LEAST_PX = 5.5;
