@@ -7,8 +7,6 @@ import type { Round } from "./round.ts";
 
 /** Share of the dirt that the stated area holds [1]. */
 const SPREAD_SHARE = 0.9;
-/** Points along a side of a cell, by which its share in the goal area is counted. */
-const POINTS = 5;
 
 /** Whether a round has a result and the ground truth of the same places, so that they can be compared. */
 export function isComparable(round: Round): boolean {
@@ -37,17 +35,10 @@ export function countInCells(particles: Places, { cell, places }: DensityRecord)
   return [...counts.values()];
 }
 
-/** Returns the number of particles within a circle [m]; a cell on its edge counts in part. */
-function countWithin(places: Places, [x, y]: [number, number], radius: number, density?: DensityRecord): number {
-  const at = metres(places);
-  const [points, side] = density ? [POINTS, density.cell] : [1, 0];
-  const steps = Array.from({ length: points }, (_, i) => ((i + 0.5) / points - 0.5) * side);
-  let sum = 0;
-  for (let i = 0; 2 * i + 1 < at.length; i++) {
-    const inside = steps.flatMap((dx) => steps.map((dy) => Math.hypot(at[2 * i]! + dx - x, at[2 * i + 1]! + dy - y) <= radius));
-    sum += ((density?.expected[i] ?? 1) * inside.filter(Boolean).length) / inside.length;
-  }
-  return sum;
+/** Returns the number of particles within a circle [m]. */
+function countWithin(particles: Places, [x, y]: [number, number], radius: number): number {
+  const at = metres(particles);
+  return at.filter((v, i) => i % 2 === 0 && Math.hypot(v - x, at[i + 1]! - y) <= radius).length;
 }
 
 /** A quantity as estimated and as true, and how far they are apart; empty if that says nothing. */
@@ -63,12 +54,13 @@ function compareDirt({ plan: { goal }, interpreted, truth }: Round): Comparison[
   const { particles, density } = interpreted!;
   const actual = truth!.particles!;
   const [all, truly] = [density ? density.expected.reduce((sum, number) => sum + number, 0) : particles.length / 2, actual.length / 2];
-  const of = density ? "" : " (sample)";
   const rows: Comparison[] = [];
   if (goal?.kind === "collected") {
-    const [held, heldTruly] = [countWithin(density?.places ?? particles, goal.place, goal.radius, density), countWithin(actual, goal.place, goal.radius)];
-    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, all - held, truly - heldTruly));
-  } else rows.push(compareCounts(`Left on the surface${of}`, all, truly));
+    const expected = density?.goal ?? null;
+    const of = expected === null ? " (sample)" : "";
+    const [held, heldTruly] = [expected ?? countWithin(particles, goal.place, goal.radius), countWithin(actual, goal.place, goal.radius)];
+    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, (expected === null ? particles.length / 2 : all) - held, truly - heldTruly));
+  } else rows.push(compareCounts(`Left on the surface${density ? "" : " (sample)"}`, all, truly));
   const area = (numbers: number[]) => `${Math.round(spreadOf(numbers) * density!.cell ** 2 * 1e4)} cm\u00b2`;
   if (density && all > 0 && truly > 0) rows.push(["Area that holds 90\u202f%", area(density.expected), area(countInCells(actual, density)), ""]);
   return rows;
@@ -92,7 +84,7 @@ function compareTreated(round: Round): Comparison[] {
 /** Compares estimate and ground truth of a comparable round. */
 export function compareWithTruth(round: Round): Comparison[] {
   const { mean, low, high } = round.interpreted!.estimate;
-  const performance = round.truth!.performance;
+  const performance = round.truth!.performance ?? null;
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
   const isInside = performance >= low && performance <= high;

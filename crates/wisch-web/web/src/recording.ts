@@ -264,6 +264,8 @@ export interface DensityRecord {
   places: Places;
   /** Expected number of particles in each cell: mean over the belief. */
   expected: number[];
+  /** Expected number of particles in the goal area, which the cells do not give exactly; missing without one. */
+  goal?: number;
 }
 
 /** The result of a finished round. */

@@ -4,15 +4,17 @@ import { el, percent, svg, uniqueId } from "./dom.ts";
 import { drawCells } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
-import { resultValues } from "./treated.ts";
+import { isTreated, resultValues } from "./treated.ts";
 import type { DensityRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
 
 /** Numbers of particles of a cell from which on it is shaded more; below the first one its area is the number. */
-export const SHADES = [1, 3, 10];
+const SHADES = [1, 3, 10];
 /** Where the seam may be at first: shares of the width. */
 const FIRST = [0.15, 0.85] as const;
 const LITTLE = 0.03;
+
+const shadeOf = (number: number): number => Math.max(0, SHADES.findLastIndex((from) => number >= from));
 
 /** Draws each cell as a square, in millimetres: of an area that is the expected number below 1, shaded more from there on. */
 function drawDensity({ cell, places, expected }: DensityRecord): SVGElement[] {
@@ -22,8 +24,7 @@ function drawDensity({ cell, places, expected }: DensityRecord): SVGElement[] {
     if (!(number > 0)) return;
     const half = 500 * cell * Math.sqrt(Math.min(1, number));
     const [x, y] = [1000 * at[2 * i]!, -1000 * at[2 * i + 1]!];
-    const shade = Math.max(0, SHADES.findLastIndex((from) => number >= from));
-    paths[shade] += `M${(x - half).toFixed(1)} ${(y - half).toFixed(1)}h${(2 * half).toFixed(1)}v${(2 * half).toFixed(1)}h${(-2 * half).toFixed(1)}z`;
+    paths[shadeOf(number)] += `M${(x - half).toFixed(1)} ${(y - half).toFixed(1)}h${(2 * half).toFixed(1)}v${(2 * half).toFixed(1)}h${(-2 * half).toFixed(1)}z`;
   });
   return paths.map((d, i) => svg("path", { d, class: `w-density-${i + 1}` }));
 }
@@ -32,7 +33,7 @@ function drawDensity({ cell, places, expected }: DensityRecord): SVGElement[] {
 export function makeDensityLegend(): HTMLElement {
   const square = (number: number) => {
     const side = 14 * Math.sqrt(Math.min(1, number));
-    return svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("rect", { x: 7 - side / 2, y: 7 - side / 2, width: side, height: side, class: `w-density-${Math.max(0, SHADES.findLastIndex((from) => number >= from)) + 1}` }));
+    return svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("rect", { x: 7 - side / 2, y: 7 - side / 2, width: side, height: side, class: `w-density-${shadeOf(number) + 1}` }));
   };
   return el("li", {}, "density of the belief, particles per cell:", ...[0.1, 0.5, ...SHADES].flatMap((number, i, all) => [square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`]));
 }
@@ -57,7 +58,8 @@ export class Seam {
   }
 
   private draw(round: Round): Element[] {
-    const { plan: { treatment, surface: { shape } }, interpreted, truth, number } = round;
+    const { plan: { surface: { shape } }, interpreted, truth, number } = round;
+    const treatment = isTreated(round) ? round.plan.treatment : null;
     const [surface, left, right] = [uniqueId(), uniqueId(), uniqueId()];
     const side = (clip: string, ...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${clip})`, class: "w-map" }, ...parts);
     const density = treatment ? null : interpreted!.density ?? null;

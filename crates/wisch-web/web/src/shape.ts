@@ -76,7 +76,7 @@ const round = has({
 const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });
 
 const density: Check = (value) => {
-  if (!has({ cell: finite, places: list(finite), expected: list(finite) })(value)) return false;
+  if (!has({ cell: finite, places: list(finite), expected: list(finite), goal: maybe(finite) })(value)) return false;
   const { cell, places, expected } = value as { cell: number; places: number[]; expected: number[] };
   return cell > 0 && places.length === 2 * expected.length;
 };

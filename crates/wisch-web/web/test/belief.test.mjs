@@ -12,9 +12,7 @@ const GOAL = pieces.find(({ piece }) => piece === "round").goal;
 
 test("numbers of particles in the goal area and elsewhere are those of the density and of the truth", () => {
   const [x, y] = GOAL.place.map((v) => Math.round(1e4 * v));
-  // A cell in the middle of the goal, one that the edge of the goal halves, and one far from it.
-  const edge = x + Math.round(1e4 * GOAL.radius);
-  const density = { cell: 0.002, places: [x, y, edge, y, -x, -y], expected: [5.2, 2, 3] };
+  const density = { cell: 0.002, places: [x, y, -x, -y], expected: [6.2, 4], goal: 6.1 };
   const actual = [x, y, x, y, x, y, x, y, -x, -y, -x, -y, -x, -y];
   const change = (piece) => only("truth", 1, { particles: actual, performance: 0.5 })(only("interpreted", 1, { density, estimate: { mean: 0.62, low: 0.55, high: 0.7 } })(piece));
   const [round] = open(change).rounds;
@@ -22,6 +20,10 @@ test("numbers of particles in the goal area and elsewhere are those of the densi
     ["In the goal area", "6", "4", "2 particles"], ["Elsewhere", "4", "3", "1 particle"], ["Area that holds 90\u202f%", "0 cm\u00b2", "0 cm\u00b2", ""],
     ["Performance", "62.0\u202f%", "50.0\u202f%", "12.0 points, outside the interval"],
   ]);
+  const cells = open((piece) => only("interpreted", 1, { density: { ...density, goal: undefined }, particles: [x, y, 0, 0] })(change(piece))).rounds[0];
+  assert.deepEqual(compareWithTruth(cells).slice(0, 2), [["In the goal area (sample)", "1", "4", "3 particles"], ["Elsewhere (sample)", "1", "3", "2 particles"]], "cells on the edge of the goal say too little");
+  const skimmed = open((piece) => only("round", 1, { goal: { kind: "skimmed" } })(change(piece))).rounds[0];
+  assert.deepEqual(compareWithTruth(skimmed)[0], ["Left on the surface", "10", "7", "3 particles"]);
   const inside = open((piece) => only("truth", 1, { performance: 0.56 })(change(piece))).rounds[0];
   assert.match(compareWithTruth(inside)[3][3], /^6\.0 points, inside/);
 });

@@ -102,14 +102,17 @@ const CELL_M = 0.01;
 function densityOf(particles, spread, members = 20) {
   const random = numbers(11);
   const counts = new Map();
+  let goal = 0;
   for (let k = 0; k < members; k++) {
-    for (const [x, y] of particles) {
-      const column = [x, y].map((v) => Math.floor((v + 2 * spread * (random() - 0.5)) / CELL_M)).join();
+    for (const place of particles) {
+      const member = place.map((v) => v + 2 * spread * (random() - 0.5));
+      const column = member.map((v) => Math.floor(v / CELL_M)).join();
       counts.set(column, (counts.get(column) ?? 0) + 1);
+      if (inGoal(member)) goal++;
     }
   }
   const cells = [...counts].map(([column, count]) => [column.split(",").map((i) => whole((Number(i) + 0.5) * CELL_M)), rounded(count / members, 2)]);
-  return { cell: CELL_M, places: cells.flatMap(([place]) => place), expected: cells.map(([, count]) => count) };
+  return { cell: CELL_M, places: cells.flatMap(([place]) => place), expected: cells.map(([, count]) => count), goal: rounded(goal / members, 2) };
 }
 
 const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.max(0, mean - half), 4), high: rounded(Math.min(1, mean + half * 0.8), 4) });
