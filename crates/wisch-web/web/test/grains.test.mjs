@@ -19,7 +19,7 @@ const SHAPES = {
 
 test("the medium decides the form: crumbs, drops, or as it was for films and unknown media", () => {
   assert.deepEqual(["breadcrumbs", "glass_chippings", "sand", "water", "detergent"].map(formOf), ["crumb", "crumb", "crumb", "drop", "drop"]);
-  assert.deepEqual(["dust", "paint", "polishing_paste", "<b>", "", null, undefined].map(formOf), [null, null, null, null, null, null, null]);
+  assert.deepEqual(["dust", "soil", "paint", "polishing_paste", "<b>", "", null, undefined].map(formOf), [null, null, null, null, null, null, null, null]);
 });
 
 for (const [name, shape] of Object.entries(SHAPES)) {

@@ -12,7 +12,6 @@ export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
 const SIZE: Record<Mark, number> = { believed: 6, estimated: 12, actual: 8, seen: 14 };
 
-/** Draws a mark on a square of 64 pixels. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   believed: (pen) => { pen.arc(32, 32, 28, 0, 2 * Math.PI); pen.fill(); },
   estimated: (pen) => { pen.lineWidth = 9; pen.arc(32, 32, 25, 0, 2 * Math.PI); pen.stroke(); },
@@ -20,35 +19,30 @@ const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   seen: (pen) => { pen.lineWidth = 7; pen.rect(6, 6, 52, 52); pen.stroke(); },
 };
 
-function drawTexture(mark: Mark): CanvasTexture {
+/** Draws a white dot on a square of 64 pixels, which colours tint. */
+export function drawTexture(draw: (pen: CanvasRenderingContext2D) => void): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const pen = canvas.getContext("2d")!;
   pen.fillStyle = pen.strokeStyle = "#fff";
   pen.beginPath();
-  DRAW[mark](pen);
+  draw(pen);
   return new CanvasTexture(canvas);
 }
 
-/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
-function makeMaterial(mark: Mark): PointsMaterial {
-  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(mark), alphaTest: 0.15, transparent: true });
-  return shiftDepth(material, 0.99);
-}
-
-/** Draws a white dot with a dark rim, which vertex colours tint. */
-export function dotTexture(): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
-  pen.beginPath();
+/** Draws a dot with a dark rim. */
+export const dotTexture = (): CanvasTexture => drawTexture((pen) => {
   pen.arc(32, 32, 24, 0, 2 * Math.PI);
-  pen.fillStyle = "#fff";
   pen.fill();
   pen.lineWidth = 5;
   pen.strokeStyle = "#000";
   pen.stroke();
-  return new CanvasTexture(canvas);
+});
+
+/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
+function makeMaterial(mark: Mark): PointsMaterial {
+  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(DRAW[mark]), alphaTest: 0.15, transparent: true });
+  return shiftDepth(material, 0.99);
 }
 
 export class Dirt {

@@ -1,6 +1,6 @@
 // Dirt as solids with a shadow: crumbs, or drops of a liquid. All of them are one mesh, and all shadows another one; without a
 // graphics card, each instance of an instanced mesh takes as long as a mesh of its own.
-import { BufferAttribute, BufferGeometry, CircleGeometry, Group, Material, Mesh, MeshBasicMaterial, MeshPhongMaterial } from "three";
+import { BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, Group, Material, Mesh, MeshBasicMaterial, MeshPhongMaterial, SphereGeometry } from "three";
 import { colour } from "../theme.ts";
 import { lift } from "./bend.ts";
 import { matrix } from "./solids.ts";
@@ -22,21 +22,21 @@ const MANY = 1500;
 /** The shadow round a grain: its radius in that of the grain, and its opacity below the middle [1]. The sun's shadows are too coarse. */
 const SHADOW_RADIUS = 1.7;
 const SHADOW_OPACITY = 0.6;
+/** Largest depth of a dent of a crumb in its radius. */
+const UNEVEN = 0.35;
 /** Share of its light that a grain has by itself, so that it stands out from what it lies on, and the light on its darkest side, to
  * which the stage adds that of the sky [1]. */
 const OWN_LIGHT = 0.4;
 export const LEAST_LIGHT = OWN_LIGHT + 0.32 * (1 - OWN_LIGHT);
 
-/** Rings of a grain from its base to its top: radius and height in its radius. */
-const RINGS: Record<Form, readonly (readonly [radius: number, height: number])[]> = { crumb: [[0.85, 0], [1, 0.55], [0.6, 1.05]], drop: [[1, 0], [0.86, 0.3], [0.5, 0.5]] };
-/** Height of the top in the radius of a grain, and how irregular its rings are. */
-const TOP: Record<Form, number> = { crumb: 1.15, drop: 0.56 };
-const UNEVEN: Record<Form, number> = { crumb: 0.3, drop: 0 };
+/** Attributes that depend on where a copy lies. */
+const PLACED = ["position", "normal"] as const;
+const attributeOf = (geometry: BufferGeometry, name: string): BufferAttribute => geometry.getAttribute(name) as BufferAttribute;
 
 /** Returns the form of the grains of a medium by its name; null for what lies as dust or film, and for an unknown medium. */
 export function formOf(medium: string | null | undefined): Form | null {
-  if (/crumb|chip|sand|grain|gravel|seed|rice|debris/i.test(medium ?? "")) return "crumb";
-  return /water|detergent|soap|juice|oil|milk|drop/i.test(medium ?? "") ? "drop" : null;
+  if (/crumb|chip|sand|gravel|debris/i.test(medium ?? "")) return "crumb";
+  return /water|detergent|soap|juice|milk/i.test(medium ?? "") ? "drop" : null;
 }
 
 /** Returns a reproducible number in [0, 1) for two numbers. */
@@ -45,28 +45,19 @@ function hash(x: number, y: number): number {
   return mixed - Math.floor(mixed);
 }
 
-/** Makes a grain of radius 1 that stands on the plane z = 0. */
-function makeGrain(form: Form, sides: number, rings: number): BufferGeometry {
-  const positions: number[] = [];
-  const chosen = RINGS[form].slice(0, rings);
-  chosen.forEach(([radius, height], k) => {
-    for (let i = 0; i < sides; i++) {
-      const [angle, uneven] = [(2 * Math.PI * (i + 0.5 * k)) / sides, 1 - UNEVEN[form] * hash(i, k)];
-      positions.push(radius * uneven * Math.cos(angle), radius * uneven * Math.sin(angle), height * (1 - UNEVEN[form] * hash(k, i + 7)));
-    }
-  });
-  positions.push(0.5 * UNEVEN[form], -UNEVEN[form], TOP[form]);
-  const index: number[] = [];
-  for (let k = 0; k < chosen.length; k++) for (let i = 0; i < sides; i++) {
-    const [a, b, up] = [k * sides + i, k * sides + ((i + 1) % sides), (k + 1) * sides];
-    if (k + 1 === chosen.length) index.push(a, b, up);
-    else index.push(a, b, up + i, b, up + ((i + 1) % sides), up + i);
+/** Makes a dome of radius 1 on the plane z = 0, from a part of a sphere. */
+const makeDome = (sides: number, rings: number, part: number, height: number): BufferGeometry =>
+  new SphereGeometry(1, sides, rings, 0, 2 * Math.PI, 0, part * Math.PI).rotateX(Math.PI / 2).translate(0, 0, -Math.cos(part * Math.PI)).scale(1, 1, height);
+
+/** Makes a crumb of a shape: uneven and flat-shaded. */
+function makeCrumb(crumb: BufferGeometry): BufferGeometry {
+  const at = attributeOf(crumb, "position");
+  for (let i = 0; i < at.count; i++) {
+    // Corners at the same place move alike.
+    const share = 1 - UNEVEN * hash(Math.round(20 * at.getX(i)), Math.round(20 * at.getY(i)) + Math.round(20 * at.getZ(i)));
+    at.setXYZ(i, share * at.getX(i), share * at.getY(i), share * at.getZ(i));
   }
-  const grain = new BufferGeometry();
-  grain.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
-  grain.setIndex(index);
-  grain.computeVertexNormals();
-  return grain;
+  return crumb.deleteAttribute("normal");
 }
 
 /** Makes the shadow round a grain of radius 1: a disc that fades towards its edge. */
@@ -74,10 +65,8 @@ function makeShadow(): BufferGeometry {
   const disc = new CircleGeometry(SHADOW_RADIUS, 8);
   const { count } = disc.getAttribute("position");
   disc.setAttribute("color", new BufferAttribute(Float32Array.from({ length: 4 * count }, (_, i) => (i === 3 ? SHADOW_OPACITY : 0)), 4));
-  return disc;
+  return disc.deleteAttribute("normal");
 }
-
-const attributeOf = (geometry: BufferGeometry, name: string): BufferAttribute => geometry.getAttribute(name) as BufferAttribute;
 
 /** Copies of a shape, one for each particle. */
 class Copies<M extends Material> {
@@ -96,7 +85,7 @@ class Copies<M extends Material> {
     if (this.shape !== shape || this.capacity < count) this.reserve(shape, 2 * count);
     const { geometry } = this.mesh;
     for (let i = 0; i < count; i++) placeCopy(geometry, shape, i, radius, bend, places[2 * i]!, places[2 * i + 1]!);
-    attributeOf(geometry, "position").needsUpdate = attributeOf(geometry, "normal").needsUpdate = true;
+    for (const name of PLACED) if (geometry.hasAttribute(name)) attributeOf(geometry, name).needsUpdate = true;
     geometry.setDrawRange(0, count * shape.index!.count);
   }
 
@@ -104,7 +93,7 @@ class Copies<M extends Material> {
     this.mesh.geometry.dispose();
     const geometry = new BufferGeometry();
     const [corners, index] = [attributeOf(shape, "position").count, shape.index!];
-    for (const name of ["position", "normal", "color"].filter((name) => shape.hasAttribute(name))) {
+    for (const name of [...PLACED, "color"].filter((name) => shape.hasAttribute(name))) {
       const { array, itemSize } = attributeOf(shape, name);
       geometry.setAttribute(name, new BufferAttribute(Float32Array.from({ length: array.length * capacity }, (_, i) => array[i % array.length]!), itemSize));
     }
@@ -125,8 +114,7 @@ export class Grains {
   private drawn: { places: Float32Array | null; radius: number } = { places: null, radius: 0 };
 
   constructor(form: Form) {
-    this.few = form === "crumb" ? makeGrain(form, 5, 3) : makeGrain(form, 8, 3);
-    this.many = form === "crumb" ? makeGrain(form, 4, 1) : makeGrain(form, 6, 2);
+    [this.few, this.many] = form === "crumb" ? [makeCrumb(makeDome(5, 3, 0.62, 0.85)), makeCrumb(new ConeGeometry(1, 1, 4, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5))] : [makeDome(8, 3, 0.5, 0.55), makeDome(6, 2, 0.5, 0.55)];
     this.grains = new Copies(new MeshPhongMaterial(form === "crumb" ? { flatShading: true, specular: 0x666666, shininess: 8 } : { specular: 0x999999, shininess: 60 }));
     this.group.matrixAutoUpdate = false;
     this.group.add(this.grains.mesh, this.shadows.mesh);
@@ -170,7 +158,9 @@ function placeCopy(geometry: BufferGeometry, shape: BufferGeometry, i: number, r
   const length = Math.sqrt(1 - Math.min(0.99, along * along));
   const [ux, uy, uz] = [(cos - along * nx) / length, (sin - along * ny) / length, (-along * nz) / length];
   const [vx, vy, vz] = [ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux];
-  for (const [name, scale, ox, oy, oz] of [["position", size, px, py, pz], ["normal", 1, 0, 0, 0]] as const) {
+  for (const name of PLACED) {
+    if (!shape.hasAttribute(name)) continue;
+    const [scale, ox, oy, oz] = name === "position" ? [size, px, py, pz] : [1, 0, 0, 0];
     const [from, to] = [attributeOf(shape, name).array, attributeOf(geometry, name).array];
     for (let k = 0, at = i * from.length; k < from.length; k += 3, at += 3) {
       const [a, b, c] = [scale * from[k]!, scale * from[k + 1]!, scale * from[k + 2]!];
