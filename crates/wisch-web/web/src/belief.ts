@@ -59,7 +59,7 @@ function compareDirt({ plan: { goal }, interpreted, truth }: Round): Comparison[
     const expected = density?.goal ?? null;
     const of = expected === null ? " (sample)" : "";
     const [held, heldTruly] = [expected ?? countWithin(particles, goal.place, goal.radius), countWithin(actual, goal.place, goal.radius)];
-    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, (expected === null ? particles.length / 2 : all) - held, truly - heldTruly));
+    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, Math.max(0, (expected === null ? particles.length / 2 : all) - held), truly - heldTruly));
   } else rows.push(compareCounts(`Left on the surface${density ? "" : " (sample)"}`, all, truly));
   const area = (numbers: number[]) => `${Math.round(spreadOf(numbers) * density!.cell ** 2 * 1e4)} cm\u00b2`;
   if (density && all > 0 && truly > 0) rows.push(["Area that holds 90\u202f%", area(density.expected), area(countInCells(actual, density)), ""]);

@@ -134,7 +134,7 @@ export class Story {
     const { rounds, observedBefore } = this.recording;
     const first = rounds[0];
     const last = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
-    const known = rounds.map(({ plan, interpreted, truth, observed }) => [plan.round, plan.predicted, Boolean(interpreted), Boolean(truth), Boolean(observed)]);
+    const known = rounds.map(({ plan, interpreted, truth, observed }) => [plan.round, plan.predicted, plan.duration, Boolean(interpreted), Boolean(truth), Boolean(observed)]);
     this.rebuild(this.pictures, [known, Boolean(observedBefore)], () => {
       const seam = last && isComparable(last) ? this.seam.show(rounds) : null;
       this.comparison.replaceChildren(...(seam ? this.makePart("Ground truth", "", this.seam.table) : []));
