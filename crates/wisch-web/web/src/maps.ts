@@ -1,9 +1,9 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
-import { capitalise, el, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
-import { CELL_REACH, DEGREES, bandText, binOf, binsOf, quantityOf, resultValues } from "./treated.ts";
-import type { Bin, Degree } from "./treated.ts";
+import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
+import type { Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import type { TreatmentRecord } from "./recording.ts";
@@ -21,14 +21,13 @@ export function makeScale(record: TreatmentRecord): HTMLElement {
 }
 
 /** Returns the shares of the places in each degree, in words. */
-function describeShares(record: TreatmentRecord, bins: Bin[], values: readonly number[]): string {
-  const counts: Record<Degree, number> = { little: 0, allowed: 0, much: 0 };
-  for (const value of values) counts[bins[binOf(bins, record, value)]!.degree]++;
-  return (Object.keys(DEGREES) as Degree[]).map((degree) => `${((100 * counts[degree]) / Math.max(1, values.length)).toFixed(1)}\u202f% ${DEGREES[degree]}`).join(", ");
+function describeShares(record: TreatmentRecord, values: readonly number[]): string {
+  const degrees = degreesOf(record, values);
+  return (Object.keys(DEGREES) as Degree[]).map((degree) => `${percent(shareOf(degrees, degree), 1)} ${DEGREES[degree]}`).join(", ");
 }
 
 /** Draws the values as one path per bin, in millimetres; neighbours in a row are one rectangle. */
-function drawCells(record: TreatmentRecord, values: readonly number[]): SVGElement[] {
+export function drawCells(record: TreatmentRecord, values: readonly number[]): SVGElement[] {
   const bins = binsOf(record);
   const paths = bins.map(() => "");
   const places = metres(record.places);
@@ -52,28 +51,26 @@ export function makeMapFigure(title: string, round: Round, values: number[] | nu
   const record = round.plan.treatment;
   if (!record || !values) return null;
   const id = uniqueId();
-  const label = `${title}: ${quantityOf(round)} per place; ${describeShares(record, binsOf(record), values)} of ${values.length} places`;
+  const label = `${title}: ${quantityOf(round)} per place; ${describeShares(record, values)} of ${values.length} places`;
   const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(record, values));
   return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
 }
 
-/** Returns the figures of the first screen for a treated surface: before, predicted, estimated and true, with their scale. */
-export function makeMapFigures({ rounds }: Recording): Element[] {
+/** Returns the figures of the first screen for a treated surface: before, predicted, and estimated or, with the truth, `seam`; with their scale. */
+export function makeMapFigures({ rounds }: Recording, seam: HTMLElement | null): Element[] {
   const first = rounds[0]!;
   const last = rounds.at(-1)!;
-  const done = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
+  const done = rounds.findLast((round) => round.interpreted) ?? null;
   const unrolled = first.plan.surface.shape ? ", surface unrolled" : "";
   const record = last.plan.treatment;
   if (!record) {
     const missing = `This recording has no ${quantityOf(last)} per place.`;
     return [el("figure", { class: "w-wide" }, surfacePicture(last, [], missing), el("figcaption", {}, missing))];
   }
-  const after = done && `after ${done.number} ${done.number === 1 ? "round" : "rounds"}`;
   const figures = [
     makeMapFigure("Before", first, first.treated?.first ?? null),
     makeMapFigure(last.number === 1 ? "Predicted" : `Predicted for round ${last.number}`, last, last.treated?.last ?? null),
-    done && makeMapFigure(`Estimated ${after}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated)),
-    done && makeMapFigure(`True ${after}`, done, resultValues(done.plan.treatment, done.truth?.treated)),
+    seam ?? (done && makeMapFigure(`Estimated after ${done.number} ${done.number === 1 ? "round" : "rounds"}: mean of the belief`, done, resultValues(done.plan.treatment, done.interpreted?.treated))),
   ].filter((one) => one !== null);
   const quantity = quantityOf(last);
   const title = `${capitalise(quantity)} per place${unrolled}`;

@@ -10,16 +10,15 @@ export interface Dots {
 
 /** Draws all dots as one path: a line of zero length with round ends, or a small shape, per dot. */
 function drawDots({ mark, places }: Dots, unit: number): SVGPathElement {
+  const [r, side] = [unit.toFixed(1), (2 * unit).toFixed(1)];
+  const shape = {
+    believed: "h0", estimated: `m-${r} 0a${r} ${r} 0 1 0 ${side} 0a${r} ${r} 0 1 0 -${side} 0`,
+    actual: `m-${r} -${r}l${side} ${side}m0 -${side}l-${side} ${side}`, seen: `m-${r} -${r}h${side}v${side}h-${side}z`,
+  }[mark];
   let d = "";
-  const at = (v: number) => (1000 * v).toFixed(1);
-  const r = unit;
   for (let i = 0; i + 1 < places.length; i += 2) {
     const [x, y] = [1000 * places[i]!, -1000 * places[i + 1]!];
-    if (!Number.isFinite(x + y)) continue;
-    if (mark === "believed") d += `M${x.toFixed(1)} ${y.toFixed(1)}h0`;
-    else if (mark === "estimated") d += `M${(x - r).toFixed(1)} ${y.toFixed(1)}a${r.toFixed(1)} ${r.toFixed(1)} 0 1 0 ${(2 * r).toFixed(1)} 0a${r.toFixed(1)} ${r.toFixed(1)} 0 1 0 ${(-2 * r).toFixed(1)} 0`;
-    else if (mark === "actual") d += `M${(x - r).toFixed(1)} ${(y - r).toFixed(1)}l${(2 * r).toFixed(1)} ${(2 * r).toFixed(1)}m0 ${(-2 * r).toFixed(1)}l${(-2 * r).toFixed(1)} ${(2 * r).toFixed(1)}`;
-    else d += `M${at(places[i]! - r / 1000)} ${at(-places[i + 1]! - r / 1000)}h${(2 * r).toFixed(1)}v${(2 * r).toFixed(1)}h${(-2 * r).toFixed(1)}z`;
+    if (Number.isFinite(x + y)) d += `M${x.toFixed(1)} ${y.toFixed(1)}${shape}`;
   }
   return svg("path", { d, class: `w-dots w-dots-${mark}`, "stroke-width": mark === "believed" ? 2.2 * unit : 0.7 * unit });
 }

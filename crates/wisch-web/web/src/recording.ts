@@ -289,6 +289,18 @@ export interface IncidentRecord {
   advice: string;
 }
 
+/** The density of the belief: cells that are expected to hold dirt. */
+export interface DensityRecord {
+  /** Side of a square cell [m]. */
+  cell: number;
+  /** Middles of the cells, in the chart of the surface. */
+  places: Places;
+  /** Expected number of particles in each cell: mean over the belief. */
+  expected: number[];
+  /** Expected number of particles in the goal area, which the cells do not give exactly; missing without one. */
+  goal?: number;
+}
+
 /** The result of a finished round. */
 export interface InterpretedPiece {
   piece: "interpreted";
@@ -311,6 +323,8 @@ export interface InterpretedPiece {
   incidents?: IncidentRecord[];
   /** Estimated dirt locations: a typical sample of the belief. Empty with `treated`. */
   particles: Places;
+  /** Density of the same belief; recordings up to version 0.2.0 have none. */
+  density?: DensityRecord;
   /** Mean values over the belief of the round's `treatment.places`, in steps. */
   treated?: number[];
 }

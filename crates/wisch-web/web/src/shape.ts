@@ -84,9 +84,15 @@ const round = has({
 
 const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });
 
+const density: Check = (value) => {
+  if (!has({ cell: finite, places: list(finite), expected: list(finite), goal: maybe(finite) })(value)) return false;
+  const { cell, places, expected } = value as { cell: number; places: number[]; expected: number[] };
+  return cell > 0 && places.length === 2 * expected.length;
+};
+
 const interpreted = has({
   round: finite, duration: finite, estimate, by_touch: estimate, verdict: text, words: list(text), found: maybe(pose),
-  events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some, treated: maybe(some),
+  events: list(event), contacts: list(interval), incidents: maybe(list(incident)), particles: some, density: maybe(density), treated: maybe(some),
 });
 
 const fact: Check = (value) => Array.isArray(value) && text(value[0]) && text(value[1]) && maybe(finite)(value[2]);

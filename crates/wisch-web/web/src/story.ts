@@ -1,10 +1,12 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
+import { isComparable } from "./belief.ts";
 import { clockText, el, percent, say, svg } from "./dom.ts";
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import type { Dots } from "./picture.ts";
+import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
@@ -12,12 +14,12 @@ import { isTreated } from "./treated.ts";
 import { LOGGED, stateOf } from "./words.ts";
 
 const NAMES: Record<string, string> = {
-  believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed",
+  believed: "believed before", estimated: "estimated after", actual: "true after", seen: "observed", sample: "estimated after: a typical sample",
   interval: "90\u202f% interval", "by-touch": "from touch only", target: "target", goal: "goal area",
 };
 
 const makeLegend = (names: string[]) =>
-  el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name), NAMES[name]!)));
+  el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name === "sample" ? "estimated" : name), NAMES[name]!)));
 
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
@@ -38,6 +40,9 @@ export class Story {
   private readonly badge = el("p", { class: "w-badge" });
   private readonly pictures = el("div", { class: "w-pictures" });
   private readonly texts = el("div", { class: "w-texts" });
+  private readonly seam = new Seam();
+  /** Estimate against ground truth, in words. */
+  private readonly comparison = el("div", { class: "w-comparison" });
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
   private readonly keys = new Map<HTMLElement, string>();
   private readonly stop: () => void;
@@ -79,6 +84,7 @@ export class Story {
       ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
       ...this.makePart(live ? "Now" : "Result", happened),
       ...this.makePart("Confidence", story?.sure ?? (interpreted || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
+      this.comparison,
       ...this.makePart("More certainty", story?.surer ?? ""),
       ...this.makePart("Next", story?.next?.words ?? "", story?.next?.command ? makeCommand(story.next.command) : null),
     ]);
@@ -127,38 +133,42 @@ export class Story {
   private drawPictures(): void {
     const { rounds, observedBefore } = this.recording;
     const first = rounds[0];
-    if (!first) {
-      this.pictures.replaceChildren();
-      return;
-    }
-    this.pictures.toggleAttribute("data-maps", isTreated(first));
-    if (isTreated(first)) {
-      this.pictures.replaceChildren(...makeMapFigures(this.recording));
-      return;
-    }
-    const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
     const last = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
+    const known = rounds.map(({ plan, interpreted, truth, observed }) => [plan.round, plan.predicted, plan.duration, Boolean(interpreted), Boolean(truth), Boolean(observed)]);
+    this.rebuild(this.pictures, [known, Boolean(observedBefore)], () => {
+      const seam = last && isComparable(last) ? this.seam.show(rounds) : null;
+      this.comparison.replaceChildren(...(seam ? this.makePart("Ground truth", "", this.seam.table) : []));
+      this.pictures.toggleAttribute("data-maps", Boolean(first && isTreated(first)));
+      return !first ? [] : isTreated(first) ? makeMapFigures(this.recording, seam) : this.makeDirtFigures(first, last, seam);
+    });
+  }
+
+  private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
+    const { observedBefore } = this.recording;
+    const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
     const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
-    const after: Dots[] = [];
-    if (last?.interpreted) after.push({ mark: "estimated", places: metres(last.interpreted.particles) });
-    if (last?.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
-    if (last?.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
     const bent = first.plan.surface.shape;
-    const figure = (title: string, round: typeof first, layers: Dots[]) =>
+    const figure = (title: string, round: Round, layers: Dots[]) =>
       el("figure", {}, surfacePicture(round, layers, `${title}: the ${bent ? "unrolled surface" : "surface from above"} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
         el("figcaption", {}, bent ? `${title}, surface unrolled` : title));
+    const names = (...layers: Dots[]) => [...new Set(layers.map(({ mark }) => mark as string)), ...goal];
     if (!last) {
-      const end = first.particles.places(Math.max(0, first.particles.times.length - 1));
-      if (first.plan.kind === "planned") {
-        this.pictures.replaceChildren(figure("Before", first, before), this.drawArrow(), figure("Predicted", first, [{ mark: "believed", places: end }]), makeLegend(["believed", ...goal]));
-      } else this.pictures.replaceChildren(figure("Believed before", first, before), makeLegend([...before.map(({ mark }) => mark), ...goal]));
-      return;
+      if (first.plan.kind !== "planned") return [figure("Believed before", first, before), makeLegend(names(...before))];
+      const predicted = [{ mark: "believed" as const, places: first.particles.places(Math.max(0, first.particles.times.length - 1)) }];
+      return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...predicted))];
     }
-    const names = [...new Set([...before, ...after].map(({ mark }) => mark as string)), ...goal];
-    this.pictures.replaceChildren(
-      figure("Before", first, before), this.drawArrow(),
-      figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), makeLegend(names));
+    if (seam) {
+      const density = last.interpreted?.density;
+      const legend = makeLegend([...names(...before), ...(density ? [] : ["sample"]), "actual"]);
+      if (density) legend.append(makeDensityLegend());
+      return [figure("Before", first, before), this.drawArrow(), seam, legend];
+    }
+    const after: Dots[] = [];
+    if (last.interpreted) after.push({ mark: "estimated", places: metres(last.interpreted.particles) });
+    if (last.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
+    if (last.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
+    return [figure("Before", first, before), this.drawArrow(), figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), makeLegend(names(...before, ...after))];
   }
 
   private drawArrow(): SVGElement {

@@ -46,9 +46,12 @@ export function binsOf({ unit, low, high, target }: TreatmentRecord): Bin[] {
     allowed: divide(low, above, MOST_BINS.allowed, whole),
     much: [above, whole ? above + Math.max(1, high - low) : high + 2 * (high - target)],
   };
-  // Few bins use the whole range of shades.
-  const shade = (i: number, count: number, most: number): number => 1 + Math.round((i * (most - 1)) / Math.max(1, count - 1));
-  const all = (Object.keys(starts) as Degree[]).flatMap((degree) => starts[degree].map((from, i, { length }) => ({ degree, from, colour: `${degree}-${shade(i, length, MOST_BINS[degree])}` })));
+  // Few bins use the whole range of shades; the faintest one, which looks like no surface, is left to fine scales.
+  const shade = (degree: Degree, i: number, count: number): number => {
+    const [first, most] = [degree === "little" && count < MOST_BINS.little ? 2 : 1, MOST_BINS[degree]];
+    return first + Math.round((i * (most - first)) / Math.max(1, count - 1));
+  };
+  const all = (Object.keys(starts) as Degree[]).flatMap((degree) => starts[degree].map((from, i, { length }) => ({ degree, from, colour: `${degree}-${shade(degree, i, length)}` })));
   const text = (value: number): string => (whole ? String(value) : String(Number(value.toPrecision(value < 100 ? 2 : 3))));
   return all.map((bin, i) => {
     const next = all[i + 1]?.from;
@@ -65,6 +68,14 @@ export function binOf(bins: readonly Bin[], { unit, target }: TreatmentRecord, v
   bins.forEach(({ degree, from }, i) => { if (degree === "much" && unit !== "passes" ? counted > from + margin : counted >= from - margin) found = i; });
   return found;
 }
+
+/** Returns for each value whether it is too little, allowed or too much. */
+export function degreesOf(record: TreatmentRecord, values: readonly number[]): Degree[] {
+  const bins = binsOf(record);
+  return values.map((value) => bins[binOf(bins, record, value)]!.degree);
+}
+
+export const shareOf = (degrees: readonly Degree[], wanted: Degree): number => degrees.filter((degree) => degree === wanted).length / Math.max(1, degrees.length);
 
 /** Returns the allowed band in words, such as "2 to 4 passes". */
 export const bandText = ({ unit, low, high }: TreatmentRecord): string => (low === high ? `${low} ${unit}` : `${low} to ${high} ${unit}`);

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { REACH_BANDS } from "../src/bases.ts";
+import { LEAST_LIGHT } from "../src/scene/grains.ts";
 import { BLINDNESS, blend, contrast, difference, differenceOfLab, lit, seenWith } from "./colours.mjs";
 
 const css = readFileSync("src/style/page.css", "utf8");
@@ -68,6 +69,8 @@ for (const [theme, colours] of THEMES) {
     for (const [front, ground] of TEXT) assert.ok(contrast(colours[front], colours[ground]) >= 4.5, `${front} on ${ground}: ${contrast(colours[front], colours[ground]).toFixed(2)}`);
     const faint = Object.entries(LIES_ON).flatMap(([mark, places]) => places.flatMap((place) => grounds(colours)[place].map((ground) => [mark, place, ground, contrast(colours[mark], ground)])));
     assert.deepEqual(faint.filter(([, , , least]) => !(least >= MARK_CONTRAST)), []);
+    // The side of a crumb that the sun does not reach.
+    for (const ground of grounds(colours).board) assert.ok(contrast(lit(colours.believed, LEAST_LIGHT), ground) >= MARK_CONTRAST, `crumbs on ${ground}: ${contrast(lit(colours.believed, LEAST_LIGHT), ground).toFixed(2)}`);
   });
 
   test(`${theme}: marks of different meaning differ, also for colour-blind eyes`, () => {
@@ -82,6 +85,14 @@ for (const [theme, colours] of THEMES) {
     }));
     assert.deepEqual(alike, []);
     for (const [a, b] of SAME) assert.equal(colours[a], colours[b], `${a} means what ${b} means`);
+  });
+
+  test(`${theme}: all shades of a density stand out from pictures and legends, and from each other`, () => {
+    const shares = [1, ...[...readFileSync("src/style/story.css", "utf8").matchAll(/\.w-density-\d \{ fill: color-mix\(in srgb, var\(--estimated\) (\d+)%, var\(--ink\)\)/g)].map(([, share]) => share / 100)];
+    assert.equal(shares.length, 3);
+    const shades = shares.map((share) => blend(colours.estimated, colours.ink, share));
+    for (const shade of shades) for (const ground of grounds(colours).picture) assert.ok(contrast(shade, ground) >= MARK_CONTRAST, `${shade} on ${ground}`);
+    for (const [i, shade] of shades.slice(1).entries()) assert.ok(difference(shade, shades[i]) >= 5, `${shade} and ${shades[i]}`);
   });
 
   test(`${theme}: too little, allowed and too much of a map differ for all eyes`, () => {

@@ -95,6 +95,26 @@ function pushed(particles, track, share, random) {
   return { steps, list, growth };
 }
 
+/** Side of the cells of a density [m]. */
+const CELL_M = 0.01;
+
+/** The density of a belief: `members` samples of it, whose particles lie up to `spread` metres from the estimated ones. */
+function densityOf(particles, spread, members = 20) {
+  const random = numbers(11);
+  const counts = new Map();
+  let goal = 0;
+  for (let k = 0; k < members; k++) {
+    for (const place of particles) {
+      const member = place.map((v) => v + 2 * spread * (random() - 0.5));
+      const column = member.map((v) => Math.floor(v / CELL_M)).join();
+      counts.set(column, (counts.get(column) ?? 0) + 1);
+      if (inGoal(member)) goal++;
+    }
+  }
+  const cells = [...counts].map(([column, count]) => [column.split(",").map((i) => whole((Number(i) + 0.5) * CELL_M)), rounded(count / members, 2)]);
+  return { cell: CELL_M, places: cells.flatMap(([place]) => place), expected: cells.map(([, count]) => count), goal: rounded(goal / members, 2) };
+}
+
 const estimate = (mean, half) => ({ mean: rounded(mean, 4), low: rounded(Math.max(0, mean - half), 4), high: rounded(Math.min(1, mean + half * 0.8), 4) });
 
 /** Candidate plans of the first round. */
@@ -180,7 +200,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
         ? ["All five strokes touched the surface.", "The board is 3 mm lower than believed and tilted by 0.8 degrees; the next round uses the new pose.", "The estimate's lower end is below the target: wipe again."]
         : ["Both strokes touched all along.", "The estimate's lower end is above the target."],
       found: round === 1 ? [0.004, 0.006, BOARD.z - 0.003, 0.007, 0, 0.02, 0.9998] : null,
-      events, contacts, particles: flat(believed),
+      events, contacts, particles: flat(believed), density: densityOf(actual, round === 1 ? 0.02 : 0.002),
       incidents: round === 1 ? [
         { time: 9.25, title: "Collision in stroke 3", evidence: "At 9.3 s: 17.6 N at most, tool up to 22 mm from the surface, for 0.6 s in total.", effect: "The tool was in contact for 40.0 % of that time; elsewhere nothing counts as wiped.", advice: "Keep clear of the robot; the next round wipes what is left." },
         { time: null, title: "The surface is not at its believed pose", evidence: "The contacts lie 3.0 mm below the believed surface and are tilted by 0.80\u00b0.", effect: "Later rounds use the measured pose.", advice: "" },
@@ -237,7 +257,7 @@ export function polished(pieces = sample()) {
   const passes = (most) => Array.from({ length: columns * rows }, (_, i) => Math.round((100 * most * (i % columns)) / (columns - 1)));
   return pieces.map((piece) => {
     if (piece.piece === "head") return { ...piece, task: { ...piece.task, action: "polish" } };
-    if (piece.piece === "interpreted") return { ...piece, particles: [], treated: passes(piece.round === 1 ? 2 : 4) };
+    if (piece.piece === "interpreted") return { ...piece, particles: [], density: undefined, treated: passes(piece.round === 1 ? 2 : 4) };
     if (piece.piece === "truth") return { ...piece, particles: null, treated: passes(piece.round === 1 ? 3 : 5) };
     if (piece.piece !== "round") return piece;
     const begin = piece.round === 1 ? passes(0) : passes(2);

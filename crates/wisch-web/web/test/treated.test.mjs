@@ -28,6 +28,8 @@ test("passes are binned as whole numbers, and the band includes its ends", () =>
   const degree = (value) => bins[binOf(bins, treatment, value)].label;
   assert.deepEqual([0, 0.49, 0.5, 1.49, 1.5, 3.49, 3.5, 4.5, 90].map(degree), ["0", "0", "1", "1", "2", "3", "4", "\u2265 5", "\u2265 5"]);
   assert.equal(bandText(treatment), "2 to 3 passes");
+  assert.deepEqual(bins.map(({ colour }) => colour), ["little-2", "little-4", "allowed-1", "allowed-3", "much-1", "much-2"]);
+  assert.equal(binsOf({ ...treatment, low: 1, target: 1, high: 2 })[0].colour, "little-2", "a place without a pass does not look like a hole");
   const many = binsOf({ ...treatment, low: 20, target: 20, high: 40 });
   assert.deepEqual(many.map(({ label }) => label), ["0\u20134", "5\u20139", "10\u201314", "15\u201319", "20\u201326", "27\u201333", "34\u201340", "41\u201360", "\u2265 61"]);
 });
@@ -36,6 +38,7 @@ test("a coat is binned by its thickness", () => {
   const coat = { ...treatment, unit: "\u00b5m", target: 100, low: 80, high: 120, step: 0.5 };
   const bins = binsOf(coat);
   assert.deepEqual(bins.map(({ label }) => label), ["0\u201320", "20\u201340", "40\u201360", "60\u201380", "80\u201393", "93\u2013107", "107\u2013120", "120\u2013160", "\u2265 160"]);
+  assert.deepEqual(bins.map(({ colour }) => colour.slice(-1)).join(""), "123412312");
   const degree = (value) => bins[binOf(bins, coat, value)].degree;
   assert.deepEqual([0, 79.9, 160 * 0.5, 240 * 0.5, 120.5].map(degree), ["little", "little", "allowed", "allowed", "much"]);
 });

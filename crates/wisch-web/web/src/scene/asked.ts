@@ -1,9 +1,11 @@
 // Queried particles: diamonds with a dark rim, filled for the dirt before a round, hollow for the estimate after it. The marks
 // of the recording have other shapes, so that readers distinguish both without colours.
-import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
+import { BufferGeometry, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
+import type { CanvasTexture } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
 import { lift } from "./bend.ts";
+import { drawTexture } from "./dirt.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
@@ -24,39 +26,25 @@ export interface ShownParticles {
 
 const SIZE_PX = 13;
 
-/** Draws a diamond on a square of 64 pixels. */
-function drawTexture(hollow: boolean): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
-  const diamond = (half: number) => {
-    pen.beginPath();
-    pen.moveTo(32, 32 - half);
-    pen.lineTo(32 + half, 32);
-    pen.lineTo(32, 32 + half);
-    pen.lineTo(32 - half, 32);
-    pen.closePath();
-  };
+const diamond = (half: number): Path2D => new Path2D(`M32 ${32 - half}l${half} ${half}l${-half} ${half}l${-half} ${-half}z`);
+
+/** Draws a diamond with a dark rim. */
+const drawDiamond = (hollow: boolean): CanvasTexture => drawTexture((pen) => {
   pen.fillStyle = "#000";
-  diamond(31);
-  pen.fill();
+  pen.fill(diamond(31));
   pen.fillStyle = "#fff";
-  diamond(24);
-  pen.fill();
-  if (hollow) {
-    pen.globalCompositeOperation = "destination-out";
-    diamond(13);
-    pen.fill();
-  }
-  return new CanvasTexture(canvas);
-}
+  pen.fill(diamond(24));
+  if (!hollow) return;
+  pen.globalCompositeOperation = "destination-out";
+  pen.fill(diamond(13));
+});
 
 /** Returns the colour that the query gives, or else the highlight colour. */
 export const askedColour = (color: string | undefined): string => hexOr(color, colour("highlight"));
 
 export class Asked {
   readonly group = new Group();
-  private readonly textures = { before: drawTexture(false), estimated: drawTexture(true) };
+  private readonly textures = { before: drawDiamond(false), estimated: drawDiamond(true) };
   private list: ShownParticles[] = [];
 
   show(list: ShownParticles[]): void {

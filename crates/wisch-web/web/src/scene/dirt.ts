@@ -3,19 +3,15 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMa
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
+import { GRAIN_M, Grains, formOf } from "./grains.ts";
 import { matrix, shiftDepth } from "./solids.ts";
-import type { Bend, Instant, Recording } from "../store.ts";
-import type { Outcome } from "../store.ts";
+import type { Bend, Instant, Outcome, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
 export const MARKS: Mark[] = ["believed", "estimated", "actual", "seen"];
 const SIZE: Record<Mark, number> = { believed: 6, estimated: 12, actual: 8, seen: 14 };
 
-/** Size of a particle's dot [m]. */
-const CRUMB_M = 0.007;
-
-/** Draws a mark on a square of 64 pixels. */
 const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   believed: (pen) => { pen.arc(32, 32, 28, 0, 2 * Math.PI); pen.fill(); },
   estimated: (pen) => { pen.lineWidth = 9; pen.arc(32, 32, 25, 0, 2 * Math.PI); pen.stroke(); },
@@ -23,41 +19,38 @@ const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   seen: (pen) => { pen.lineWidth = 7; pen.rect(6, 6, 52, 52); pen.stroke(); },
 };
 
-function drawTexture(mark: Mark): CanvasTexture {
+/** Draws a white dot on a square of 64 pixels, which colours tint. */
+export function drawTexture(draw: (pen: CanvasRenderingContext2D) => void): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const pen = canvas.getContext("2d")!;
   pen.fillStyle = pen.strokeStyle = "#fff";
   pen.beginPath();
-  DRAW[mark](pen);
+  draw(pen);
   return new CanvasTexture(canvas);
 }
 
-/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
-function makeMaterial(mark: Mark): PointsMaterial {
-  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(mark), alphaTest: 0.15, transparent: true });
-  return shiftDepth(material, 0.99);
-}
-
-/** Draws a white dot with a dark rim, which vertex colours tint. */
-export function dotTexture(): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
-  pen.beginPath();
+/** Draws a dot with a dark rim. */
+export const dotTexture = (): CanvasTexture => drawTexture((pen) => {
   pen.arc(32, 32, 24, 0, 2 * Math.PI);
-  pen.fillStyle = "#fff";
   pen.fill();
   pen.lineWidth = 5;
   pen.strokeStyle = "#000";
   pen.stroke();
-  return new CanvasTexture(canvas);
+});
+
+/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
+function makeMaterial(mark: Mark): PointsMaterial {
+  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(DRAW[mark]), alphaTest: 0.15, transparent: true });
+  return shiftDepth(material, 0.99);
 }
 
 export class Dirt {
   readonly group = new Group();
   private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
   private readonly shown = new Map<Mark, Float32Array | null>();
+  /** Believed and predicted dirt as solids; null while its medium has none. */
+  private grains: Grains | null = null;
   private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
@@ -74,28 +67,33 @@ export class Dirt {
 
   paint(): void {
     for (const mark of MARKS) this.points[mark].material.color.set(colour(mark));
+    this.grains?.paint();
   }
 
-  show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>): void {
+  /** Shows the dirt at a time. Dots have the size of grains, within limits of visibility. */
+  show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>, pixelsPerMetre: number): void {
+    const size = Math.min(1.25, Math.max(0.7, (GRAIN_M * pixelsPerMetre) / SIZE.believed));
+    for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
     const key = `${recording.version} ${recording.rounds.filter((other) => other.end <= t + 1e-6).length}`;
     if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
     const { outcome } = this.outcome;
     const { pose, shape } = round.plan.surface;
     // The places of a treated surface are no dirt.
     const dirty = !isTreated(round);
-    this.set("believed", dirty && layers.believed ? round.particles.at(time) : null, pose, shape, 1);
+    const believed = dirty && layers.believed ? round.particles.at(time) : null;
+    const form = formOf(recording.head?.task?.medium);
+    if (form && !this.grains) {
+      this.grains = new Grains(form);
+      this.group.add(this.grains.group);
+    }
+    this.grains?.show(believed, pose, shape, pixelsPerMetre);
+    this.set("believed", this.grains ? null : believed, pose, shape, 1);
     const outcomePose = outcome?.pose ?? pose;
     // The previous outcome, or what was known before the first round, fades once the robot wipes and so changes it.
     const opacity = recording.endedAt(t) || t < round.start + round.firstContact ? 1 : 0.45;
     this.set("estimated", dirty && layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
     this.set("actual", dirty && layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
-  }
-
-  /** Scales the dots to the size of crumbs, within limits of visibility. */
-  scale(pixelsPerMetre: number): void {
-    const size = Math.min(1.25, Math.max(0.7, (CRUMB_M * pixelsPerMetre) / SIZE.believed));
-    for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
   }
 
   private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], shape: Bend, opacity: number): void {

@@ -68,7 +68,11 @@ export class Sheet {
 
   private mean(values: ArrayLike<number>, { corners, weights }: Located): Vector3 {
     const sum = new Vector3();
-    corners.forEach((i, k) => sum.addScaledVector(new Vector3(values[3 * i]!, values[3 * i + 1]!, values[3 * i + 2]!), weights[k]!));
+    corners.forEach((i, k) => {
+      sum.x += weights[k]! * values[3 * i]!;
+      sum.y += weights[k]! * values[3 * i + 1]!;
+      sum.z += weights[k]! * values[3 * i + 2]!;
+    });
     return sum;
   }
 
@@ -91,7 +95,8 @@ export class Sheet {
   private locate(t: number, x: number, y: number): Located {
     const { places, triangles } = this.shape;
     const corners: [number, number, number] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
-    const [ax, ay, bx, by, cx, cy] = corners.flatMap((i) => [places[2 * i]!, places[2 * i + 1]!]) as [number, number, number, number, number, number];
+    const [a, b, c] = [2 * corners[0], 2 * corners[1], 2 * corners[2]];
+    const [ax, ay, bx, by, cx, cy] = [places[a]!, places[a + 1]!, places[b]!, places[b + 1]!, places[c]!, places[c + 1]!];
     const doubled = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     const second = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / doubled;
     const third = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / doubled;

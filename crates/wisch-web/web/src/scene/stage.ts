@@ -320,8 +320,7 @@ export class Stage {
     if (this.robot) this.robot.collisionShown = this.layers.collision;
     this.still!.fade(this.camera.lens.position);
     this.path!.show(time, this.layers.path);
-    this.dirt.scale(this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
-    this.dirt.show(this.recording, this.time, instant, this.layers);
+    this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);

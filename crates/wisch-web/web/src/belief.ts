@@ -1,0 +1,93 @@
+// The belief at the end of a round against the ground truth of the simulated world.
+import { fixed, percent } from "./dom.ts";
+import { PER_METRE, metres } from "./particles.ts";
+import { degreesOf, isTreated, quantityOf, resultValues, shareOf } from "./treated.ts";
+import type { DensityRecord, Places } from "./recording.ts";
+import type { Round } from "./round.ts";
+
+/** Share of the dirt that the stated area holds [1]. */
+const SPREAD_SHARE = 0.9;
+
+/** Whether a round has a result and the ground truth of the same places, so that they can be compared. */
+export function isComparable(round: Round): boolean {
+  const { plan: { treatment }, interpreted, truth } = round;
+  if (!isTreated(round)) return Boolean(interpreted && truth?.particles);
+  return Boolean(resultValues(treatment, interpreted?.treated) && resultValues(treatment, truth?.treated));
+}
+
+/** Returns the area of the fewest cells that hold 90 % of all, in cells; 0 without any. */
+export function spreadOf(numbers: readonly number[]): number {
+  const falling = numbers.filter((number) => number > 0).sort((a, b) => b - a);
+  const wanted = SPREAD_SHARE * falling.reduce((sum, number) => sum + number, 0);
+  let held = 0;
+  const last = falling.findIndex((number) => (held += number) >= wanted - 1e-9);
+  return last + 1;
+}
+
+/** Counts particles in the cells of a density, also in cells that it leaves out. */
+export function countInCells(particles: Places, { cell, places }: DensityRecord): number[] {
+  const counts = new Map<string, number>();
+  const column = (v: number, axis: number) => Math.round((v - (places[axis] ?? 0)) / (PER_METRE * cell));
+  for (let i = 0; i + 1 < particles.length; i += 2) {
+    const key = `${column(particles[i]!, 0)} ${column(particles[i + 1]!, 1)}`;
+    counts.set(key, (counts.get(key) ?? 0) + 1);
+  }
+  return [...counts.values()];
+}
+
+/** Returns the number of particles within a circle [m]. */
+function countWithin(particles: Places, [x, y]: [number, number], radius: number): number {
+  const at = metres(particles);
+  return at.filter((v, i) => i % 2 === 0 && Math.hypot(v - x, at[i + 1]! - y) <= radius).length;
+}
+
+/** A quantity as estimated and as true, and how far they are apart; empty if that says nothing. */
+export type Comparison = [quantity: string, estimated: string, actual: string, off: string];
+
+/** Compares two numbers of particles, the second of which is a whole one. */
+function compareCounts(where: string, estimated: number, actual: number): Comparison {
+  const off = Math.abs(Math.round(estimated) - actual);
+  return [where, String(Math.round(estimated)), String(actual), `${off} ${off === 1 ? "particle" : "particles"}`];
+}
+
+function compareDirt({ plan: { goal }, interpreted, truth }: Round): Comparison[] {
+  const { particles, density } = interpreted!;
+  const actual = truth!.particles!;
+  const [all, truly] = [density ? density.expected.reduce((sum, number) => sum + number, 0) : particles.length / 2, actual.length / 2];
+  const rows: Comparison[] = [];
+  if (goal?.kind === "collected") {
+    const expected = density?.goal ?? null;
+    const of = expected === null ? " (sample)" : "";
+    const [held, heldTruly] = [expected ?? countWithin(particles, goal.place, goal.radius), countWithin(actual, goal.place, goal.radius)];
+    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, Math.max(0, (expected === null ? particles.length / 2 : all) - held), truly - heldTruly));
+  } else rows.push(compareCounts(`Left on the surface${density ? "" : " (sample)"}`, all, truly));
+  const area = (numbers: number[]) => `${Math.round(spreadOf(numbers) * density!.cell ** 2 * 1e4)} cm\u00b2`;
+  if (density && all > 0 && truly > 0) rows.push(["Area that holds 90\u202f%", area(density.expected), area(countInCells(actual, density)), ""]);
+  return rows;
+}
+
+function compareTreated(round: Round): Comparison[] {
+  const { plan: { treatment }, interpreted, truth } = round;
+  const record = treatment!;
+  const values = [resultValues(record, interpreted!.treated)!, resultValues(record, truth!.treated)!] as const;
+  const { length } = values[0];
+  const [estimated, actual] = [degreesOf(record, values[0]), degreesOf(record, values[1])];
+  const means = values.map((list) => list.reduce((sum, value) => sum + value, 0) / Math.max(1, length)) as [number, number];
+  const mean = (value: number) => (record.unit === "passes" ? fixed(value, 2) : `${fixed(value, 1)} ${record.unit}`);
+  const wrong = estimated.filter((degree, i) => degree !== actual[i]).length;
+  return [
+    [`Mean ${quantityOf(round)}`, mean(means[0]), mean(means[1]), mean(Math.abs(means[0] - means[1]))],
+    ["In the allowed band", percent(shareOf(estimated, "allowed"), 1), percent(shareOf(actual, "allowed"), 1), `${wrong} of ${length} places`],
+  ];
+}
+
+/** Compares estimate and ground truth of a comparable round. */
+export function compareWithTruth(round: Round): Comparison[] {
+  const { mean, low, high } = round.interpreted!.estimate;
+  const performance = round.truth!.performance ?? null;
+  const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
+  if (performance === null) return rows;
+  const isInside = performance >= low && performance <= high;
+  const off = `${fixed(100 * Math.abs(mean - performance), 1)} points, ${isInside ? "inside" : "outside"} the interval`;
+  return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
+}
