@@ -353,6 +353,55 @@ const cases = {
     await page.close();
   },
 
+  async "the force along the path is explained at the pointer, and lit where a user selects it"() {
+    const { page, complaints, picture } = await show("force", whole, { hash: "#t=12" });
+    await page.waitForFunction(() => window.firstFrame);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.waitForTimeout(1200);
+    assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0 N\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
+    const all = await page.evaluate(() => wisch.view.ribbon);
+    assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
+    // The place of the path at 2.5 s, in contact, on the screen.
+    const at = await page.evaluate(() => {
+      const { lens } = wisch.view.camera;
+      const place = lens.position.clone().set(...wisch.recording.rounds[0].toolAt(2.5).slice(0, 3)).project(lens);
+      const { left, top, width, height } = document.querySelector(".w-canvas").getBoundingClientRect();
+      return [left + ((place.x + 1) / 2) * width, top + ((1 - place.y) / 2) * height];
+    });
+    await page.mouse.move(...at);
+    const label = page.locator(".w-point");
+    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\nheight \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
+    const cover = await label.boundingBox();
+    assert.ok(cover.x > at[0] + 12 || cover.x + cover.width < at[0] - 12, "the label covers its place");
+    assert.ok(cover.height > 40, "the label has no ground");
+    await picture("force-pointer");
+    await page.mouse.click(...at);
+    near(await time(page), 2.5, 0.1);
+    // A drag over the plot of forces selects, also what is later than the clock; a click ends the selection.
+    const lanes = await page.locator(".w-timeline").boundingBox();
+    const duration = await page.evaluate(() => wisch.view.clock.duration);
+    const x = (t) => lanes.x + 112 + (t / duration) * (lanes.width - 112 - 22);
+    await page.mouse.move(x(5), lanes.y + 130);
+    await page.mouse.down();
+    await page.mouse.move(x(9.6), lanes.y + 130, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(1000);
+    near(await time(page), 5, 0.1);
+    const some = await page.evaluate(() => wisch.view.ribbon);
+    assert.ok(some.lit > 5 && some.lit < some.drawn && some.drawn < all.drawn, JSON.stringify(some));
+    assert.match(await page.locator(".w-timeline .w-tip").innerText(), /^selected: 5\.\d\d s to 9\.\d\d s, force \u22120\.\d to 1\d\.\d N$/m);
+    await picture("force-selected");
+    await page.mouse.click(x(12), lanes.y + 100);
+    await page.waitForTimeout(500);
+    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    await page.getByLabel("Force along the path").uncheck();
+    await page.waitForTimeout(300);
+    assert.equal((await page.evaluate(() => wisch.view.ribbon)).drawn, 0);
+    assert.equal(await page.locator(".w-force-scale").isVisible(), false);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
   async "markup in a recording is not executed"() {
     const evil = "</script><script>window.hit=1</script><img src=x onerror=\"window.hit=2\"><b>__proto__${constructor}\u202e";
     const poison = (value, key) => {
@@ -572,7 +621,7 @@ const cases = {
     const title = async (t) => {
       await page.evaluate((t) => wisch.view.seek(t), t);
       await drawn(page);
-      return page.locator(".w-scene-scale strong").innerText();
+      return page.locator(".w-map-scale strong").innerText();
     };
     assert.match(await page.locator(".w-words").innerText(), /A repetition of a stroke at the end is predicted to gain nothing\./);
     await page.locator("[aria-label=Strokes]").getByRole("button", { name: "2", exact: true }).click();
@@ -583,6 +632,7 @@ const cases = {
     assert.equal(await title(7), "Predicted passes");
     await picture("map-predicted");
     assert.equal(await title(end), "Estimated passes after round 1: mean of the belief");
+    assert.equal(await page.getByLabel("Force along the path").isChecked(), false, "the force covers the map");
     await page.getByLabel("True passes after the round").check();
     assert.equal(await title(end), "True passes after round 1");
     await picture("map-true");

@@ -34,7 +34,7 @@ function drawClipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void
 }
 
 /** Draws a measured column of all rounds; `unit` converts its values to shown values. */
-export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number] }): void {
+export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number]; target?: (round: Round) => number | null }): void {
   let [low, high] = [0, look.least];
   for (const round of recording.rounds) {
     const { least, largest } = of(round);
@@ -47,6 +47,8 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
   drawClipped(pen, frame, lane, () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
+      const target = look.target?.(round) ?? null;
+      if (target !== null) drawTarget(pen, frame.x(round.start), frame.x(round.end), y(target));
       pen.strokeStyle = colour(look.name);
       pen.lineWidth = 1.5;
       pen.lineJoin = "round";
@@ -98,11 +100,7 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   const target = recording.head?.task?.target;
   const right = frame.width - frame.right;
   drawClipped(pen, frame, lane, () => {
-    if (target !== undefined) {
-      pen.setLineDash([6, 4]);
-      drawLine(pen, frame.left, y(target), right, y(target), "target", 1.5);
-      pen.setLineDash([]);
-    }
+    if (target !== undefined) drawTarget(pen, frame.left, right, y(target));
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
       drawPrediction(pen, frame, round, y);
@@ -120,6 +118,12 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   pen.textAlign = "left";
   pen.textBaseline = target > 0.8 ? "top" : "bottom";
   pen.fillText(`target ${Math.round(100 * target)}\u202f%`, frame.left + 5, y(target) + (target > 0.8 ? 3 : -2));
+}
+
+function drawTarget(pen: Pen, from: number, to: number, y: number): void {
+  pen.setLineDash([6, 4]);
+  drawLine(pen, from, y, to, y, "target", 1.5);
+  pen.setLineDash([]);
 }
 
 function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
