@@ -604,6 +604,56 @@ const cases = {
     await page.close();
   },
 
+  async "answers about several episodes name them in diagrams, and wide tables never scroll a narrow page"() {
+    const [first, second] = ["20261122-010000-abcd", "20261123-010000-abcd"];
+    const name = (id, k) => `semco:WipingRound_${id}-${k}`;
+    const mention = (episode, begun) => ({ episode, task: "chopping board", begun, class: "WipingRound", interval: [begun, begun + 3] });
+    const long = "semco:a_name_that_has_no_place_where_it_could_be_broken_into_lines";
+    const amounts = [[name(first, 3), 1.5], [name(second, 3), 2.5]];
+    const answers = {
+      columns: ["Round", "Force", "Path", "Begin", "What", "Where"], units: [null, "N", "m", null, null, null], names: {}, holds: true, more: false, printed: "", remarks: [],
+      rows: [first, second].map((id) => [name(id, 3), 12.3456, 0.5, 1795777372.5, long, long]), about: [[mention(first, 1795777372)], [mention(second, 1795863772)]],
+      view: { episodes: [], tracks: [], particles: [], bodies: [], left_out: 0, plots: [
+        { diagram: "barchart", id: "b", title: "Bars", x_label: "", y_label: "", amounts }, { diagram: "piechart", id: "c", title: "Pie", x_label: "", y_label: "", amounts },
+        { diagram: "timeline", id: "d", title: "Spans", x_label: "", y_label: "", spans: amounts.map(([key, end]) => [key, [0, end]]) },
+        { diagram: "barchart", id: "e", title: "One episode", x_label: "", y_label: "", amounts: amounts.slice(0, 1) },
+      ] },
+    };
+    for (const width of [1440, 430, 360]) {
+      const { page, complaints, picture } = await openPage(`several-${width}`, answersPage("q.", answers, {}), { width, height: 900 });
+      await page.waitForSelector(".s-table");
+      const plots = await page.locator(".s-plot svg").evaluateAll((list) => list.map((one) => [...one.querySelectorAll("text")].map(({ textContent }) => textContent).join("|")));
+      for (const plot of plots.slice(0, 3)) assert.match(plot, /WipingRound 3\|27 Nov, \d\d:\d\d, chop[^|]*\|[^]*WipingRound 3\|28 Nov, \d\d:\d\d, chop/);
+      assert.doesNotMatch(plots[3], /Nov/);
+      assert.ok((await wide(page)) <= 0, `the page scrolls sideways at ${width}`);
+      const table = await page.locator(".s-table").evaluate((one) => [one.scrollWidth - one.clientWidth, getComputedStyle(one.querySelector("thead")).display, one.querySelectorAll("td")[2].dataset.title]);
+      assert.deepEqual(table, [0, "none", "Force [N]"], `${width}`);
+      assert.deepEqual(complaints, []);
+      await picture(`several-${width}`);
+      await page.close();
+    }
+  },
+
+  async "a studio that cannot list its runs says why, until it can"() {
+    const page = await browser.newPage({ viewport: { width: 1200, height: 800 } });
+    let fails = true;
+    await page.route("http://studio.invalid/**", (route) => {
+      const path = new URL(route.request().url()).pathname.slice(1);
+      if (path === "") return route.fulfill({ contentType: "text/html", body: studioPage() });
+      if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
+      if (fails) return route.fulfill({ status: 500, json: { error: { message: "The memory m cannot be read." } } });
+      return route.fulfill({ json: path === "api/overview" ? { memory: "m", list: { episodes: [], total: 0, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } } : { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] } });
+    });
+    await page.goto("http://studio.invalid/");
+    await page.waitForTimeout(800);
+    assert.match(await page.locator(".s-said").innerText(), /The memory m cannot be read\./);
+    fails = false;
+    await page.evaluate(() => wisch.studio.refresh());
+    await page.waitForTimeout(300);
+    assert.match(await page.locator(".s-said").innerText(), /This memory has no runs yet\./);
+    await page.close();
+  },
+
   async "a polished surface is a map with a scale, predicted, estimated and true"() {
     const { page, complaints, picture } = await show("polished", lines(polished()));
     await page.waitForFunction(() => window.firstFrame);
