@@ -275,7 +275,7 @@ export class Timeline {
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
       round.plan.phases[phase]?.name ?? "",
-      normal === null ? "" : `force ${fixed(normal, 1)} N`,
+      normal === null ? "" : `force ${fixed(normal, 1)} N${contact === "none" || round.target === null ? "" : `, target ${fixed(round.target, 1)} N`}`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
       contact === "none" ? "" : contact === "pushed" ? `pushed by somebody or something${height !== null && height > HIGH_M ? ", not on the surface" : ""}` : "contact with the surface",
       performance === null ? "" : `performance ${percent(performance)} predicted`,

@@ -50,6 +50,12 @@ test("the band breaks where contact is lost, and its degrees compare the force w
   assert.ok(Math.abs(widths[4] / widths[1] - 1.5) < 1e-6 && Math.abs(widths[7] / widths[1] - 0.5) < 1e-6, `${widths}`);
 });
 
+test("an unmeasured force is no force of 0 N", () => {
+  const ribbon = ribbonOf(roundOf(forces.map((one, i) => (i === 3 ? { ...one, force: null } : one)), { kind: "logged", contacts: [[0.1, 0.9]] }));
+  assert.deepEqual(ribbon.degrees, [1, 2, 2, 0, 0, 0]);
+  assert.ok([...ribbon.mesh.geometry.getAttribute("position").array].every(Number.isFinite));
+});
+
 test("without a known target no degree is stated", () => {
   for (const press_force of [undefined, null, -3]) assert.ok(ribbonOf(roundOf(forces, { press_force })).degrees.every((degree) => degree === 3));
 });
@@ -60,7 +66,12 @@ test("a peak while the tool rests belongs to the next segment", () => {
 });
 
 test("the band lies on a curved surface, whatever the height of the tool", () => {
-  for (const shape of [pipe, { kind: "cone", radius_m: 0.8, half_angle_rad: 0.4, axis_rad: 0 }]) {
+  const rows = Array.from({ length: 31 }, (_, i) => 0.01 * i - 0.05);
+  const mesh = {
+    kind: "mesh", points: rows.flatMap((x) => [...lift(pipe, x, -0.1, 0), ...lift(pipe, x, 0.1, 0)]), places: rows.flatMap((x) => [x, -0.1, x, 0.1]),
+    triangles: rows.slice(1).flatMap((_, i) => [2 * i, 2 * i + 2, 2 * i + 1, 2 * i + 1, 2 * i + 2, 2 * i + 3]),
+  };
+  for (const shape of [pipe, mesh, { kind: "cone", radius_m: 0.8, half_angle_rad: 0.4, axis_rad: 0 }]) {
     const ribbon = ribbonOf(roundOf(forces.map((one) => ({ ...one, height: 0.006 })), { surface: { shape } }));
     assert.ok(ribbon.degrees.length > 5);
     const middle = cornersOf(ribbon, 3).slice(2).reduce((sum, corner) => sum.addScaledVector(corner, 0.5), new Vector3());

@@ -126,7 +126,7 @@ export class Path {
       const at = this.place(i);
       const { place } = at;
       if (!Number.isFinite(place.x + place.y + place.z)) continue;
-      if (round.isPressed(time)) this.press(i, at);
+      if (round.isPressed(time) && Number.isFinite(round.normal.data[i]!)) this.press(i, at);
       else this.ribbon.breakOff();
       const kind = KINDS[round.contactAt(time)];
       if (this.last && this.last.distanceToSquared(place) < this.step ** 2 && (kind === this.kind || this.step > 2 * STEP_M)) continue;
