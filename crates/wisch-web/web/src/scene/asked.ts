@@ -2,7 +2,7 @@
 // of the recording have other shapes, so that readers distinguish both without colours.
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
 import { colour } from "../theme.ts";
-import { hexOr } from "./path.ts";
+import { disposeAll, hexOr } from "./path.ts";
 import { lift } from "./bend.ts";
 import { matrix, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
@@ -61,11 +61,7 @@ export class Asked {
 
   show(list: ShownParticles[]): void {
     this.list = list;
-    for (const points of this.points) {
-      points.geometry.dispose();
-      points.material.dispose();
-    }
-    this.group.clear();
+    disposeAll(this.group);
     list.forEach(({ color, pose, shape, places, state }, i) => {
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE)), 3));

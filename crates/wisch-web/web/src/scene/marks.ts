@@ -80,7 +80,7 @@ export class Marks {
     const colours: number[] = [];
     this.starts = [];
     this.pushes = [];
-    this.arrows.count = 0;
+    this.arrows.clear();
     for (const happening of recording.happenings) {
       const [start, end] = [happening.start - round.start, happening.end - round.start];
       if (start < 0 || start > round.length) continue;

@@ -109,7 +109,7 @@ export class Path {
   private restart(): void {
     this.taken = 0;
     this.last = null;
-    this.lines.count = 0;
+    this.lines.clear();
     this.times.length = 0;
     this.ribbon.clear();
   }
@@ -169,7 +169,7 @@ export class Trajectories {
   readonly group = new Group();
 
   show(list: Trajectory[]): void {
-    this.clear();
+    disposeAll(this.group);
     list.forEach(({ points, samples, color }, i) => {
       // Drawn after the translucent highlight of the same path, and nearer than that path.
       const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
@@ -179,10 +179,6 @@ export class Trajectories {
       this.group.add(line);
       if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
-  }
-
-  clear(): void {
-    disposeAll(this.group);
   }
 }
 
@@ -217,7 +213,7 @@ function dots(places: readonly [number, number, number][], color: string): Point
   return points;
 }
 
-function disposeAll(group: Group): void {
+export function disposeAll(group: Group): void {
   for (const child of [...group.children]) {
     const { geometry, material } = child as Points<BufferGeometry, PointsMaterial>;
     geometry.dispose();

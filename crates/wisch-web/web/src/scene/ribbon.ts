@@ -23,7 +23,7 @@ export const FORCES = [
 const UNKNOWN = FORCES.length;
 
 /** Returns the degree of a force: an index of FORCES, or the one after the last without a target. */
-export function degreeOf(force: number, target: number | null): number {
+function degreeOf(force: number, target: number | null): number {
   if (target === null) return UNKNOWN;
   return force < ON_TARGET.low * target ? 0 : force <= ON_TARGET.high * target ? 1 : 2;
 }

@@ -66,7 +66,7 @@ const nameEpisode = (answers: Answers, id: string): string => {
 };
 
 /** Returns the titles of names in a diagram, each with begin and task of its episode in a second line if the diagram is about several. */
-export function titlesOf(answers: Answers, { amounts = [], spans = [] }: Plot): (name: string) => string {
+function titlesOf(answers: Answers, { amounts = [], spans = [] }: Plot): (name: string) => string {
   const episodes = new Set([...amounts, ...spans].map(([name]) => episodeIn(name)).filter((id) => id !== null));
   return (name) => {
     const [id, title] = [episodeIn(name), titleOf(answers, name)];
