@@ -225,6 +225,8 @@ const cases = {
     await page.waitForTimeout(400);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
     assert.ok(await page.evaluate(() => document.querySelector(".w-still").naturalWidth > 100));
+    const [scale, scene] = await Promise.all([".w-scene-scale", ".w-scene"].map((part) => page.locator(part).boundingBox()));
+    assert.ok(scale.x + scale.width < scene.x + 0.36 * scene.width, "the scale covers the still");
     const shrunk = await page.evaluate(() => { const canvas = document.querySelector(".w-timeline canvas"); return canvas.getBoundingClientRect().width / parseFloat(canvas.style.width); });
     assert.ok(shrunk > 0.9, `texts of the timeline are shrunk to ${shrunk}`);
     await picture("print");
@@ -358,7 +360,7 @@ const cases = {
     await page.waitForFunction(() => window.firstFrame);
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.waitForTimeout(1200);
-    assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0 N\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
+    assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0\u202fN\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
     const all = await page.evaluate(() => wisch.view.ribbon);
     assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
     // The place of the path at 2.5 s, in contact, on the screen.

@@ -15,7 +15,7 @@ import type { Choice } from "../why.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", ribbon: "Force along the path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events, force of pushes", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
+  path: "Tool path", ribbon: "Force along the path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events, force at pushes", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
 };
 
 /** Distance of the label from the pointer [pixels]. */
@@ -152,7 +152,7 @@ export class ScenePanel {
   private showScale(): void {
     const round = this.stage && this.recording.roundAt(this.time);
     this.forceScale.hidden = !round?.target || !round.count || !this.stage!.layers.ribbon;
-    if (round?.target) say(this.forceTitle, `Force along the path, target ${fixed(round.target, 1)} N`);
+    if (round?.target) say(this.forceTitle, `Force along the path, target ${fixed(round.target, 1)}\u202fN`);
     const map = round && mapAt(this.recording, this.time, round, this.stage!.layers);
     this.reach.hidden = !round?.plan.bases || !this.stage!.layers.bases;
     this.mapScale.hidden = !map;
