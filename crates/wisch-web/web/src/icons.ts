@@ -1,5 +1,6 @@
 // Icons on buttons and in legends, as SVG paths.
 import { svg } from "./dom.ts";
+import { FORCES } from "./scene/ribbon.ts";
 
 const PATHS = {
   play: "M4 2.5v11l9.5-5.5z",
@@ -18,6 +19,7 @@ const MARKS: Record<string, () => SVGElement> = {
   seen: () => svg("rect", { x: 3, y: 3, width: 10, height: 10, fill: "none", stroke: "var(--seen)", "stroke-width": 1.8 }),
   map: () => svg("g", {}, ...["little-3", "allowed-2", "much-1"].map((name, i) => svg("rect", { x: 1 + 5 * i, y: 3, width: 5, height: 10, fill: `var(--${name})` }))),
   path: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--contact)", "stroke-width": 2.4 }),
+  ribbon: () => svg("g", { class: "w-forces" }, ...FORCES.map(({ colour }, i) => svg("rect", { x: 1 + 5 * i, y: 7 - 2 * i, width: 5, height: 2 + 4 * i, fill: `var(--${colour})` }))),
   strokes: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--stroke)", "stroke-width": 2 }),
   rejected: () => svg("path", { d: "M1 11h6l8-6", fill: "none", stroke: "var(--rejected)", "stroke-width": 1.2 }),
   bases: () => svg("path", { d: "M14.5 8L9 11.5A4.5 4.5 0 1 1 9 4.5z", fill: "var(--band-6)", stroke: "var(--quiet)", "stroke-width": 1.2 }),

@@ -201,6 +201,8 @@ export interface RoundPiece {
   /** Meshes that are new; they continue those of the pieces before. */
   meshes: MeshRecord[];
   goal: { kind: "collected"; place: [number, number]; radius: number } | { kind: "absorbed" | "skimmed" | "polished" | "dispensed" } | null;
+  /** Normal force with which the tool is to press [N]; recordings of version 0.2.0 have none. */
+  press_force?: number | null;
   /** The strokes as the robot is going to wipe them, corners in turn. */
   strokes: Places[];
   phases: { name: string; start: number; end: number; contact: boolean; stroke: number | null }[];

@@ -21,6 +21,34 @@ export const HIGH_M = 0.03;
 export type Contact = "contact" | "pushed" | "none";
 type Intervals = readonly (readonly [start: number, end: number])[];
 
+/** Intervals between at least LEAST_SAMPLES samples in a row that have a property. They grow with the samples. */
+class Stretches {
+  readonly list: [number, number][] = [];
+  private taken = 0;
+  private first = 0;
+
+  /** Takes the samples that are new. */
+  extend({ data, length }: Column, has: (i: number) => boolean): Intervals {
+    for (; this.taken < length; this.taken++) {
+      const i = this.taken;
+      if (!has(i)) this.first = i + 1;
+      else if (i - this.first + 1 === LEAST_SAMPLES) this.list.push([data[this.first]!, data[i]!]);
+      else if (i - this.first >= LEAST_SAMPLES) this.list.at(-1)![1] = data[i]!;
+    }
+    return this.list;
+  }
+}
+
+/** What a round's states follow from, and the stretches of its samples that are known so far. */
+interface States {
+  basis: string;
+  count: number;
+  pressed: Stretches;
+  high: Stretches;
+  contact: Intervals;
+  pushed: Intervals;
+}
+
 /** Whether an event is somebody or something that acts on the tool or the arm. */
 const isPush = ({ kind, by_hand }: EventRecord): boolean => by_hand || /collision/i.test(kind);
 
@@ -43,13 +71,19 @@ export class Round {
   observed: ObservedPiece | null = null;
   /** Whether the round has all its samples. */
   over = false;
-  private states: { key: string; contact: Intervals; pushed: Intervals } = { key: "", contact: [], pushed: [] };
+  private states: States | null = null;
 
   constructor(readonly plan: RoundPiece, variables: number) {
     this.number = plan.round;
     this.q = Array.from({ length: variables }, () => new Column(false, 64));
     this.particles = new ParticleTrack(plan.particles);
     this.treated = plan.treatment ? new ValueTrack(plan.treatment) : null;
+  }
+
+  /** Normal force with which the tool is to press [N]; null if it is unknown. */
+  get target(): number | null {
+    const { press_force = null } = this.plan;
+    return press_force !== null && press_force > 0 ? press_force : null;
   }
 
   /** Detected events. */
@@ -150,10 +184,12 @@ export class Round {
     return found;
   }
 
-  /** Intervals in which the tool presses on the surface, and in which something else acts on it; the second ones win. */
+  /** Intervals in which the tool presses on the surface, and in which something else acts on it; the second ones win. New samples
+   * cost what they are, not what the round has. */
   get contacts(): { contact: Intervals; pushed: Intervals } {
-    const key = `${this.count} ${this.events.length} ${Boolean(this.interpreted)}`;
-    if (key !== this.states.key) this.states = { key, ...this.classify() };
+    const { basis, count } = this;
+    if (this.states?.basis !== basis) this.states = { basis, count: -1, pressed: new Stretches(), high: new Stretches(), contact: [], pushed: [] };
+    if (this.states.count !== count) Object.assign(this.states, this.classify(this.states), { count });
     return this.states;
   }
 
@@ -161,6 +197,11 @@ export class Round {
   contactAt(time: number): Contact {
     const { contact, pushed } = this.contacts;
     return isWithin(pushed, time) ? "pushed" : isWithin(contact, time) ? "contact" : "none";
+  }
+
+  /** Whether the tool presses on the surface at a time, also while something else acts on it. */
+  isPressed(time: number): boolean {
+    return isWithin(this.contacts.contact, time);
   }
 
   /** What contacts follow from besides the samples: the classification of earlier samples changes only with it. */
@@ -175,7 +216,7 @@ export class Round {
 
   /** Classifies the whole round. The intervals of a result count where the force confirms them: old recordings also have
    * those of a tool that crosses the height of the surface beside it. Before the result, force and height decide. */
-  private classify(): { contact: Intervals; pushed: Intervals } {
+  private classify({ pressed, high }: States): { contact: Intervals; pushed: Intervals } {
     const { normal, height, plan, interpreted } = this;
     const isMeasured = normal.least <= normal.largest;
     const least = this.touchForce;
@@ -189,23 +230,11 @@ export class Round {
     }
     const isHigh = (i: number) => height.data[i]! > HIGH_M;
     const strength = (i: number) => Math.hypot(this.force.data[3 * i]!, this.force.data[3 * i + 1]!, this.force.data[3 * i + 2]!);
-    const highPushes = this.intervals((i) => isHigh(i) && strength(i) > Math.max(PUSH_N, least));
-    const isExact = Boolean(interpreted?.incidents);
-    const pressed = isExact ? known : known?.filter(([start, end]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest);
-    const contact = pressed ?? this.intervals((i) => !isHigh(i) && normal.data[i]! > Math.max(TOUCH_N, least));
-    return { contact: mergeIntervals(contact), pushed: mergeIntervals([...detected, ...highPushes]) };
-  }
-
-  /** Returns the intervals between at least LEAST_SAMPLES samples that all have a property. */
-  private intervals(has: (i: number) => boolean): [number, number][] {
-    const list: [number, number][] = [];
-    let first = 0;
-    for (let i = 0; i <= this.count; i++) {
-      if (i < this.count && has(i)) continue;
-      if (i - first >= LEAST_SAMPLES) list.push([this.t.data[first]!, this.t.data[i - 1]!]);
-      first = i + 1;
-    }
-    return list;
+    const pushes = high.extend(this.t, (i) => isHigh(i) && strength(i) > Math.max(PUSH_N, least));
+    const pushed = detected.length ? mergeIntervals([...detected, ...pushes]) : pushes;
+    if (!known) return { contact: pressed.extend(this.t, (i) => !isHigh(i) && normal.data[i]! > Math.max(TOUCH_N, least)), pushed };
+    const isConfirmed = ([start, end]: readonly [number, number]) => (normal.range(this.place(start)[0], this.place(end)[0] + 2)?.[1] ?? 0) > weakest;
+    return { contact: mergeIntervals(interpreted?.incidents ? known : known.filter(isConfirmed)), pushed };
   }
 }
 

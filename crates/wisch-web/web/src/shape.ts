@@ -78,7 +78,7 @@ const round = has({
   ...REASONS,
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(curved) }), scene: list(solid), meshes: list(mesh),
   goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
-  strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), predicted: maybe(finite), growth: list(interval),
+  strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), press_force: maybe(finite), predicted: maybe(finite), growth: list(interval),
   particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), treatment: maybe(treatment), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 

@@ -7,7 +7,7 @@ import { colour, isPrinting, onTheme } from "./theme.ts";
 import { Frame, PLOTS, drawFitted, font } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
-import { drawHighlights } from "./timeline/highlights.ts";
+import { drawHighlights, drawSelection } from "./timeline/highlights.ts";
 import type { Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listenPointer } from "./timeline/input.ts";
@@ -40,6 +40,7 @@ export class Timeline {
   private readonly frame: Frame;
   private readonly stop: (() => void)[] = [];
   private highlights: Interval[] = [];
+  private selection: [number, number] | null = null;
   private zoomed = false;
   private drawn = { version: -1, duration: -1, at: -Infinity };
   private later: ReturnType<typeof setTimeout> | undefined;
@@ -47,7 +48,8 @@ export class Timeline {
   private stale = true;
   private hovered: number | null = null;
 
-  constructor(private readonly recording: Recording, private readonly clock: Clock, compact: boolean) {
+  /** `selected` is called with the interval of the common clock that a user selects [s]; null ends the selection. */
+  constructor(private readonly recording: Recording, private readonly clock: Clock, compact: boolean, private readonly selected: (interval: [number, number] | null) => void) {
     this.frame = new Frame(compact ? COMPACT : LANES);
     this.element = el("div", {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
@@ -56,8 +58,13 @@ export class Timeline {
     listenPointer(this.element, {
       seek: (x) => {
         if (clock.playing) clock.pause();
-        clock.seek(this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right)));
+        clock.seek(this.timeAt(x));
       },
+      selectsAt: (y) => {
+        const lane = this.frame.lane("force");
+        return lane !== undefined && y >= lane.top && y <= lane.top + lane.height;
+      },
+      select: (ends) => this.select(ends && [this.timeAt(Math.min(...ends)), this.timeAt(Math.max(...ends))]),
       hover: (x) => this.hover(x),
       zoom: (x, factor, moved) => this.zoom(x, factor, moved),
       reset: () => this.reset(),
@@ -78,6 +85,17 @@ export class Timeline {
 
   highlight(intervals: Interval[]): void {
     this.highlights = intervals;
+    this.redraw();
+  }
+
+  private timeAt(x: number): number {
+    return this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right));
+  }
+
+  private select(interval: [number, number] | null): void {
+    if (!interval && !this.selection) return;
+    this.selection = interval;
+    this.selected(interval);
     this.redraw();
   }
 
@@ -193,7 +211,7 @@ export class Timeline {
         case "phases": drawPhases(pen, frame, lane, recording); break;
         case "contact": drawContact(pen, frame, lane, recording); break;
         case "events": drawEvents(pen, frame, lane, recording); break;
-        case "force": drawMeasured(pen, frame, lane, recording, (round) => round.normal, { name: "force", unit: 1, least: 5 }); break;
+        case "force": drawMeasured(pen, frame, lane, recording, (round) => round.normal, { name: "force", unit: 1, least: 5, target: (round) => round.target }); break;
         case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }); break;
         case "performance": drawPerformance(pen, frame, lane, recording); break;
       }
@@ -206,6 +224,8 @@ export class Timeline {
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
     drawHighlights(pen, frame, this.highlights);
+    const force = frame.lane("force");
+    if (force && this.selection) drawSelection(pen, frame, force, this.selection);
     this.drawVeil();
   }
 
@@ -255,11 +275,12 @@ export class Timeline {
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
       round.plan.phases[phase]?.name ?? "",
-      normal === null ? "" : `force ${fixed(normal, 1)} N`,
+      normal === null ? "" : `force ${fixed(normal, 1)} N${contact === "none" || round.target === null ? "" : `, target ${fixed(round.target, 1)} N`}`,
       height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
       contact === "none" ? "" : contact === "pushed" ? `pushed by somebody or something${height !== null && height > HIGH_M ? ", not on the surface" : ""}` : "contact with the surface",
       performance === null ? "" : `performance ${percent(performance)} predicted`,
       ...(ended ? describeResult(ended) : []),
+      this.selection && t >= this.selection[0] && t <= this.selection[1] ? describeSelection(this.recording, this.selection) : "",
       ...new Set(shown),
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");
@@ -275,4 +296,12 @@ function describeResult(round: Round): string[] {
     predicted === null ? "" : `the estimate after round ${round.number} replaces the prediction of ${percent(predicted)}`,
     typeof round.truth?.performance === "number" ? `true performance after round ${round.number}: ${percent(round.truth.performance)}` : "",
   ];
+}
+
+/** Describes the force in a selected interval. */
+function describeSelection({ rounds }: Recording, [from, to]: [number, number]): string {
+  const ranges = rounds.filter((round) => round.count && round.start <= to && round.end >= from)
+    .map((round) => round.normal.range(round.place(from - round.start)[0], round.place(to - round.start)[0] + 1)).filter((range) => range !== null);
+  const [low, high] = [Math.min(...ranges.map((range) => range[0])), Math.max(...ranges.map((range) => range[1]))];
+  return `selected: ${clockText(from, 2)} to ${clockText(to, 2)}${ranges.length ? `, force ${fixed(low, 1)} to ${fixed(high, 1)} N` : ""}`;
 }

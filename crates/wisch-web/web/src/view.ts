@@ -51,6 +51,8 @@ export interface View {
   readonly ghosts: number;
   /** The chosen stroke, and the numbers of drawn rejected strokes and base poses; null without a scene. */
   readonly reasons: { stroke: number | null; rejected: number; bases: number } | null;
+  /** Number of drawn and of lit segments of the force along the path. */
+  readonly ribbon: { drawn: number; lit: number };
   /** The camera of the scene; null without one. */
   readonly camera: Camera | null;
   destroy(): void;
@@ -63,7 +65,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     if (clock.playing) clock.pause();
     clock.seek(time);
   });
-  const timeline = new Timeline(recording, clock, compact);
+  const timeline = new Timeline(recording, clock, compact, (interval) => panel.stage?.select(interval));
   const words = compact ? null : new Words(recording, clock, (choice) => panel.choose(choice));
   const bar = makeTransport(clock, recording);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
@@ -142,6 +144,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     get frames() { return panel.stage?.drawn ?? 0; },
     get ghosts() { return panel.stage?.ghostCount ?? 0; },
     get reasons() { return panel.stage?.reasons ?? null; },
+    get ribbon() { return panel.stage?.ribbon ?? { drawn: 0, lit: 0 }; },
     camera: panel.stage?.camera ?? null,
     destroy: () => {
       frames.drop(show);

@@ -115,3 +115,13 @@ test("dashes keep their pattern across corners", () => {
   const dashes = Array.from({ length: cut.length / 6 }, (_, i) => cut.slice(6 * i, 6 * i + 6).map((v) => Math.round(1000 * v)));
   assert.deepEqual(dashes, [[0, 0, 0, 15, 0, 0], [25, 0, 0, 40, 0, 0], [40, 10, 0, 40, 25, 0]]);
 });
+
+test("a tiny radius, or a line across a wide mesh, has no more parts than can be drawn", () => {
+  for (const shape of [{ ...pipe, radius_m: 1e-9 }, { kind: "cone", radius_m: 1e-9, half_angle_rad: 1e-6, axis_rad: 0 }, { ...facets(), points: [0, 0, 0, 1e6, 0, 0, 0, 1e6, 0], places: [0, 0, 1e6, 0, 0, 1e6], triangles: [0, 1, 2] }]) {
+    const side = shape.kind === "mesh" ? 1e6 : 0.3;
+    const ring = liftLine(shape, [[0, 0, 0], [side, 0, 0], [side, side, 0]], true);
+    assert.ok(ring.length <= 1500, `${shape.kind}: ${ring.length}`);
+    const { count } = liftGeometry(shape, new PlaneGeometry(side, side)).getAttribute("position");
+    assert.ok(count < 60000, `${shape.kind}: ${count}`);
+  }
+});

@@ -245,6 +245,8 @@ const cases = {
     await page.waitForTimeout(400);
     assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
     assert.ok(await page.evaluate(() => document.querySelector(".w-still").naturalWidth > 100));
+    const [scale, scene] = await Promise.all([".w-scene-scale", ".w-scene"].map((part) => page.locator(part).boundingBox()));
+    assert.ok(scale.x + scale.width < scene.x + 0.36 * scene.width, "the scale covers the still");
     const shrunk = await page.evaluate(() => { const canvas = document.querySelector(".w-timeline canvas"); return canvas.getBoundingClientRect().width / parseFloat(canvas.style.width); });
     assert.ok(shrunk > 0.9, `texts of the timeline are shrunk to ${shrunk}`);
     await picture("print");
@@ -369,6 +371,55 @@ const cases = {
     assert.equal(await named.count(), 0);
     assert.equal(await strokes.getByRole("columnheader", { name: "Marginal" }).count(), 0);
     assert.doesNotMatch(await page.locator(".w-words").innerText(), /repetition|once more|matter most/, "unknown is not nothing");
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "the force along the path is explained at the pointer, and lit where a user selects it"() {
+    const { page, complaints, picture } = await show("force", whole, { hash: "#t=12" });
+    await page.waitForFunction(() => window.firstFrame);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.waitForTimeout(1200);
+    assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0\u202fN\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
+    const all = await page.evaluate(() => wisch.view.ribbon);
+    assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
+    // The place of the path at 2.5 s, in contact, on the screen.
+    const at = await page.evaluate(() => {
+      const { lens } = wisch.view.camera;
+      const place = lens.position.clone().set(...wisch.recording.rounds[0].toolAt(2.5).slice(0, 3)).project(lens);
+      const { left, top, width, height } = document.querySelector(".w-canvas").getBoundingClientRect();
+      return [left + ((place.x + 1) / 2) * width, top + ((1 - place.y) / 2) * height];
+    });
+    await page.mouse.move(...at);
+    const label = page.locator(".w-point");
+    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\nheight \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
+    const cover = await label.boundingBox();
+    assert.ok(cover.x > at[0] + 12 || cover.x + cover.width < at[0] - 12, "the label covers its place");
+    assert.ok(cover.height > 40, "the label has no ground");
+    await picture("force-pointer");
+    await page.mouse.click(...at);
+    near(await time(page), 2.5, 0.1);
+    // A drag over the plot of forces selects, also what is later than the clock; a click ends the selection.
+    const lanes = await page.locator(".w-timeline").boundingBox();
+    const duration = await page.evaluate(() => wisch.view.clock.duration);
+    const x = (t) => lanes.x + 112 + (t / duration) * (lanes.width - 112 - 22);
+    await page.mouse.move(x(5), lanes.y + 130);
+    await page.mouse.down();
+    await page.mouse.move(x(9.6), lanes.y + 130, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(1000);
+    near(await time(page), 5, 0.1);
+    const some = await page.evaluate(() => wisch.view.ribbon);
+    assert.ok(some.lit > 5 && some.lit < some.drawn && some.drawn < all.drawn, JSON.stringify(some));
+    assert.match(await page.locator(".w-timeline .w-tip").innerText(), /^selected: 5\.\d\d s to 9\.\d\d s, force \u22120\.\d to 1\d\.\d N$/m);
+    await picture("force-selected");
+    await page.mouse.click(x(12), lanes.y + 100);
+    await page.waitForTimeout(500);
+    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    await page.getByLabel("Force along the path").uncheck();
+    await page.waitForTimeout(300);
+    assert.equal((await page.evaluate(() => wisch.view.ribbon)).drawn, 0);
+    assert.equal(await page.locator(".w-force-scale").isVisible(), false);
     assert.deepEqual(complaints, []);
     await page.close();
   },
@@ -621,6 +672,56 @@ const cases = {
     await blind.page.close();
   },
 
+  async "answers about several episodes name them in diagrams, and wide tables never scroll a narrow page"() {
+    const [first, second] = ["20261122-010000-abcd", "20261123-010000-abcd"];
+    const name = (id, k) => `semco:WipingRound_${id}-${k}`;
+    const mention = (episode, begun) => ({ episode, task: "chopping board", begun, class: "WipingRound", interval: [begun, begun + 3] });
+    const long = "semco:a_name_that_has_no_place_where_it_could_be_broken_into_lines";
+    const amounts = [[name(first, 3), 1.5], [name(second, 3), 2.5]];
+    const answers = {
+      columns: ["Round", "Force", "Path", "Begin", "What", "Where"], units: [null, "N", "m", null, null, null], names: {}, holds: true, more: false, printed: "", remarks: [],
+      rows: [first, second].map((id) => [name(id, 3), 12.3456, 0.5, 1795777372.5, long, long]), about: [[mention(first, 1795777372)], [mention(second, 1795863772)]],
+      view: { episodes: [], tracks: [], particles: [], bodies: [], left_out: 0, plots: [
+        { diagram: "barchart", id: "b", title: "Bars", x_label: "", y_label: "", amounts }, { diagram: "piechart", id: "c", title: "Pie", x_label: "", y_label: "", amounts },
+        { diagram: "timeline", id: "d", title: "Spans", x_label: "", y_label: "", spans: amounts.map(([key, end]) => [key, [0, end]]) },
+        { diagram: "barchart", id: "e", title: "One episode", x_label: "", y_label: "", amounts: amounts.slice(0, 1) },
+      ] },
+    };
+    for (const width of [1440, 430, 360]) {
+      const { page, complaints, picture } = await openPage(`several-${width}`, answersPage("q.", answers, {}), { width, height: 900 });
+      await page.waitForSelector(".s-table");
+      const plots = await page.locator(".s-plot svg").evaluateAll((list) => list.map((one) => [...one.querySelectorAll("text")].map(({ textContent }) => textContent).join("|")));
+      for (const plot of plots.slice(0, 3)) assert.match(plot, /WipingRound 3\|27 Nov, \d\d:\d\d, chop[^|]*\|[^]*WipingRound 3\|28 Nov, \d\d:\d\d, chop/);
+      assert.doesNotMatch(plots[3], /Nov/);
+      assert.ok((await wide(page)) <= 0, `the page scrolls sideways at ${width}`);
+      const table = await page.locator(".s-table").evaluate((one) => [one.scrollWidth - one.clientWidth, getComputedStyle(one.querySelector("thead")).display, one.querySelectorAll("td")[2].dataset.title]);
+      assert.deepEqual(table, [0, "none", "Force [N]"], `${width}`);
+      assert.deepEqual(complaints, []);
+      await picture(`several-${width}`);
+      await page.close();
+    }
+  },
+
+  async "a studio that cannot list its runs says why, until it can"() {
+    const page = await browser.newPage({ viewport: { width: 1200, height: 800 } });
+    let fails = true;
+    await page.route("http://studio.invalid/**", (route) => {
+      const path = new URL(route.request().url()).pathname.slice(1);
+      if (path === "") return route.fulfill({ contentType: "text/html", body: studioPage() });
+      if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
+      if (fails) return route.fulfill({ status: 500, json: { error: { message: "The memory m cannot be read." } } });
+      return route.fulfill({ json: path === "api/overview" ? { memory: "m", list: { episodes: [], total: 0, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } } : { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] } });
+    });
+    await page.goto("http://studio.invalid/");
+    await page.waitForTimeout(800);
+    assert.match(await page.locator(".s-said").innerText(), /The memory m cannot be read\./);
+    fails = false;
+    await page.evaluate(() => wisch.studio.refresh());
+    await page.waitForTimeout(300);
+    assert.match(await page.locator(".s-said").innerText(), /This memory has no runs yet\./);
+    await page.close();
+  },
+
   async "a polished surface is a map with a scale, predicted, estimated and true"() {
     const { page, complaints, picture } = await show("polished", lines(polished()));
     await page.waitForFunction(() => window.firstFrame);
@@ -640,7 +741,7 @@ const cases = {
     const title = async (t) => {
       await page.evaluate((t) => wisch.view.seek(t), t);
       await drawn(page);
-      return page.locator(".w-scene-scale strong").innerText();
+      return page.locator(".w-map-scale strong").innerText();
     };
     assert.match(await page.locator(".w-words").innerText(), /A repetition of a stroke at the end is predicted to gain nothing\./);
     await page.locator("[aria-label=Strokes]").getByRole("button", { name: "2", exact: true }).click();
@@ -651,6 +752,7 @@ const cases = {
     assert.equal(await title(7), "Predicted passes");
     await picture("map-predicted");
     assert.equal(await title(end), "Estimated passes after round 1: mean of the belief");
+    assert.equal(await page.getByLabel("Force along the path").isChecked(), false, "the force covers the map");
     await page.getByLabel("True passes after the round").check();
     assert.equal(await title(end), "True passes after round 1");
     await picture("map-true");

@@ -34,12 +34,14 @@ const LIES_ON = {
   believed: ["board", "picture", "lanes"], estimated: ["board", "picture", "lanes"], actual: ["board", "picture", "lanes"], seen: ["board", "picture"],
   found: ["board", "scene"], contact: ["board", "scene", "lanes"], pushed: ["board", "scene", "lanes"], lifted: ["board", "scene"], force: ["board", "scene", "lanes"],
   collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
+  "force-little": ["board", "scene"], "force-target": ["board", "scene"], "force-much": ["board", "scene"],
   tool: ["board", "scene"], stroke: ["board", "picture"], rejected: ["board", "scene"], quiet: ["scene"], ink: ["scene"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
 };
 
 /** Marks of different meaning that appear in the same place. */
 const PLACES = {
   "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line", "rejected"],
+  "along the path": ["force-little", "force-target", "force-much", "contact", "lifted", "pushed", "force", "collision", "rejected"],
   "outlines of the board": ["found", "actual", "goal-line"],
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],

@@ -172,7 +172,7 @@ export function sample({ title = "Breadcrumbs on a chopping board", count = 300 
         { part: "carrier", kind: "box", size: [1.2, 0.9, 0.04], pose: [0, -0.2, 0.73, 0, 0, 0, 1] },
         { part: "obstacle", kind: "cylinder", radius: 0.04, length: 0.14, pose: [-0.26, 0.06, 0.82, 0, 0, 0, 1] },
       ],
-      meshes: [], goal: { kind: "collected", place: GOAL, radius: GOAL_RADIUS },
+      meshes: [], press_force: 8, goal: { kind: "collected", place: GOAL, radius: GOAL_RADIUS },
       strokes: strokes.map(flat), phases, predicted: predicted.growth.at(-1)[1], growth: predicted.growth, particles: predicted.steps,
       ...(round === 1 ? reasonsOf(strokes, believed) : {}),
       why: round === 1

@@ -229,3 +229,32 @@ test("a number of an old recording is read, as is one that states its round", ()
   assert.equal(recording.broken, 0);
   assert.deepEqual(recording.ended.facts, facts);
 });
+
+test("contact that is known so far equals that of all samples, and a new piece costs its own size", () => {
+  const [head, round] = [pieces[0], { ...pieces.find(({ piece }) => piece === "round"), phases: [] }];
+  const random = numbers(5);
+  let t = 0;
+  const piece = (count) => {
+    const times = Array.from({ length: count }, () => (t += 0.01));
+    const force = times.map((time) => (Math.floor(time) % 3 ? 8 + random() : 0.2 * random()));
+    return { piece: "samples", round: 1, t: times, q: {}, tool: times.flatMap(() => [0, 0, 0, 0, 0, 0, 1]), force: force.flatMap((f) => [0, 0, f]), normal: force, height: times.map((time) => (Math.floor(time) % 2 ? 0 : 0.1)) };
+  };
+  const [live, late] = [new Recording(), new Recording()];
+  for (const one of [head, round]) for (const recording of [live, late]) recording.apply(one);
+  for (let k = 0; k < 40; k++) {
+    const samples = piece(7);
+    for (const recording of [live, late]) recording.apply(samples);
+    assert.equal(typeof live.rounds[0].contactAt(t), "string");
+  }
+  const states = ({ rounds: [{ contacts }] }) => [contacts.contact, contacts.pushed];
+  assert.deepEqual(states(live), states(late));
+  assert.ok(states(live).every((list) => list.length > 0));
+  live.apply(piece(360000));
+  const since = performance.now();
+  for (let k = 0; k < 100; k++) {
+    live.apply(piece(25));
+    live.rounds[0].contactAt(t);
+  }
+  const each = (performance.now() - since) / 100;
+  assert.ok(each < 3, `${each.toFixed(1)} ms for a piece`);
+});

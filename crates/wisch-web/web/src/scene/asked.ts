@@ -3,7 +3,7 @@
 import { BufferGeometry, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
 import type { CanvasTexture } from "three";
 import { colour } from "../theme.ts";
-import { hexOr } from "./path.ts";
+import { disposeAll, hexOr } from "./path.ts";
 import { lift } from "./bend.ts";
 import { drawTexture } from "./dirt.ts";
 import { matrix, shiftDepth } from "./solids.ts";
@@ -49,11 +49,7 @@ export class Asked {
 
   show(list: ShownParticles[]): void {
     this.list = list;
-    for (const points of this.points) {
-      points.geometry.dispose();
-      points.material.dispose();
-    }
-    this.group.clear();
+    disposeAll(this.group);
     list.forEach(({ color, pose, shape, places, state }, i) => {
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE)), 3));

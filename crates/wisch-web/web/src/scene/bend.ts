@@ -14,6 +14,11 @@ const TURN_RAD = 0.05;
 /** Length of the lines and triangle sides that are drawn straight over a mesh [m]. */
 const STEP_ON_MESH_M = 0.02;
 
+/** Largest number of straight parts of a line and of strips of a triangle, and of parts of a triangle's side over a mesh. On a tiny
+ * radius, or over a large mesh, they are longer. */
+const MOST_PARTS = 500;
+const MOST_PARTS_OF_SIDE = 64;
+
 /** Returns the directions along the axis of a cylinder and across it, in the chart. */
 function directions({ axis_rad }: CylinderShape): [[number, number], [number, number]] {
   const [c, s] = [Math.cos(axis_rad), Math.sin(axis_rad)];
@@ -29,8 +34,9 @@ function rollOf(shape: CylinderShape | ConeShape, x: number, y: number): number 
 
 /** Returns the number of straight parts that replace a line of the chart. */
 function partsBetween(shape: NonNullable<Bend>, from: Corner, to: Corner): number {
-  if (shape.kind === "mesh") return Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / STEP_ON_MESH_M);
-  return Math.ceil(Math.abs(rollOf(shape, to[0], to[1]) - rollOf(shape, from[0], from[1])) / TURN_RAD);
+  const wanted = shape.kind === "mesh" ? Math.hypot(to[0] - from[0], to[1] - from[1]) / STEP_ON_MESH_M
+    : Math.abs(rollOf(shape, to[0], to[1]) - rollOf(shape, from[0], from[1])) / TURN_RAD;
+  return Math.min(MOST_PARTS, Math.max(1, Math.ceil(wanted)));
 }
 
 /** Returns the point at a height over a place of the chart, in the frame of the surface [m]. */
@@ -68,7 +74,7 @@ export function liftLine(shape: Bend, corners: readonly Corner[], closed: boolea
   for (let i = 0; i < corners.length; i++) {
     const [x, y, height] = corners[i]!;
     const next = i + 1 < corners.length ? corners[i + 1]! : closed ? corners[0]! : null;
-    const parts = next ? Math.max(1, partsBetween(shape, corners[i]!, next)) : 1;
+    const parts = next ? partsBetween(shape, corners[i]!, next) : 1;
     for (let k = 0; k < parts; k++) {
       const share = k / parts;
       const to = next ?? corners[i]!;
@@ -97,32 +103,34 @@ type Triangle = [Corner, Corner, Corner];
 
 /** Cuts triangles into strips along the axis of a cylinder, or from the apex of a cone, which are straight enough. */
 function cutIntoStrips(shape: CylinderShape | ConeShape): (triangle: Triangle, add: (part: Triangle) => void) => void {
-  const roll = ([x, y]: Corner): number => rollOf(shape, x, y) / TURN_RAD;
-  const past = (strip: number): ((at: Corner) => number) => {
-    if (shape.kind === "cylinder") return (at) => roll(at) - strip;
-    const beyond = pastRollOnCone(shape, strip * TURN_RAD);
+  const past = (angle: number): ((at: Corner) => number) => {
+    if (shape.kind === "cylinder") return ([x, y]) => rollOf(shape, x, y) - angle;
+    const beyond = pastRollOnCone(shape, angle);
     return ([x, y]) => beyond(x, y);
   };
   return (triangle, add) => {
-    const rolls = triangle.map(roll);
-    const low = Math.floor(Math.min(...rolls));
-    for (let strip = low; strip < Math.max(...rolls, low + 0.5); strip++) {
-      const [begin, end] = [past(strip), past(strip + 1)];
+    const rolls = triangle.map(([x, y]) => rollOf(shape, x, y));
+    const [least, most] = [Math.min(...rolls), Math.max(...rolls)];
+    const turn = Math.max(TURN_RAD, (most - least) / MOST_PARTS);
+    const low = Math.floor(least / turn);
+    for (let strip = low; strip < Math.max(most / turn, low + 0.5); strip++) {
+      const [begin, end] = [past(strip * turn), past((strip + 1) * turn)];
       const part = keepInside(keepInside(triangle, begin), (at) => -end(at));
       for (let k = 1; k + 1 < part.length; k++) add([part[0]!, part[k]!, part[k + 1]!]);
     }
   };
 }
 
-/** Halves a triangle at its longest side until it is small. */
-function halve([a, b, c]: Triangle, add: (part: Triangle) => void): void {
+/** Halves a triangle at its longest side until its sides are at most `step` [m], by default a share of the longest one. */
+function halve([a, b, c]: Triangle, add: (part: Triangle) => void, step = 0): void {
   const lengths = [[a, b], [b, c], [c, a]].map(([from, to]) => Math.hypot(from![0] - to![0], from![1] - to![1]));
   const longest = lengths.indexOf(Math.max(...lengths));
-  if (lengths[longest]! <= STEP_ON_MESH_M) return add([a, b, c]);
+  const most = step || Math.max(STEP_ON_MESH_M, lengths[longest]! / MOST_PARTS_OF_SIDE);
+  if (lengths[longest]! <= most) return add([a, b, c]);
   const [p, q, r] = ([[a, b, c], [b, c, a], [c, a, b]] as const)[longest]!;
   const middle: Corner = [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2];
-  halve([p, middle, r], add);
-  halve([middle, q, r], add);
+  halve([p, middle, r], add, most);
+  halve([middle, q, r], add, most);
 }
 
 /** Lifts a flat geometry, whose triangles are divided until they are small; a plane keeps it. */

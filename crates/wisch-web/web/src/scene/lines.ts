@@ -3,6 +3,7 @@ import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Vector3 
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import { Column } from "../columns.ts";
 
 /** Depth offset that draws lines on a surface slightly nearer. */
 const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
@@ -50,11 +51,9 @@ export function cutDashes(ends: readonly number[], pattern: readonly [number, nu
 /** Segments that are added one by one, each with a colour of the palette; `show` draws the first ones. */
 export class GrowingSegments {
   readonly line: LineSegments2;
-  private positions = new Float32Array(6 * 256);
-  private colours = new Float32Array(6 * 256);
-  private kinds = new Uint8Array(256);
+  private readonly positions = new Column();
+  private readonly kinds = new Column();
   private changed = true;
-  count = 0;
 
   constructor(width: number, private palette: Color[]) {
     const material = new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER });
@@ -63,22 +62,28 @@ export class GrowingSegments {
     this.line.visible = false;
   }
 
+  get count(): number {
+    return this.kinds.length;
+  }
+
+  clear(): void {
+    this.positions.length = this.kinds.length = 0;
+    this.changed = true;
+  }
+
   push(ends: readonly number[], kind: number): void {
-    if (this.count === this.kinds.length) this.reserve();
-    this.positions.set(ends, 6 * this.count);
-    this.kinds[this.count] = kind;
-    this.colour(this.count++);
+    for (const end of ends) this.positions.push(end);
+    this.kinds.push(kind);
     this.changed = true;
   }
 
   /** Returns the end of a segment. */
   end(i: number): Vector3 {
-    return new Vector3(this.positions[6 * i + 3], this.positions[6 * i + 4], this.positions[6 * i + 5]);
+    return new Vector3().fromArray(this.positions.data, 6 * i + 3);
   }
 
   paint(palette: Color[]): void {
     this.palette = palette;
-    for (let i = 0; i < this.count; i++) this.colour(i);
     this.changed = true;
   }
 
@@ -93,33 +98,21 @@ export class GrowingSegments {
     this.line.material.dispose();
   }
 
-  private colour(i: number): void {
-    const { r, g, b } = this.palette[this.kinds[i]!]!;
-    this.colours.set([r, g, b, r, g, b], 6 * i);
-  }
-
   private upload(): void {
     this.changed = false;
     const { geometry } = this.line;
     geometry.dispose();
-    const places = new InstancedInterleavedBuffer(this.positions.slice(0, 6 * Math.max(1, this.count)), 6, 1);
-    geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(places, 3, 0));
-    geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(places, 3, 3));
-    const colours = new InstancedInterleavedBuffer(this.colours.slice(0, 6 * Math.max(1, this.count)), 6, 1);
-    geometry.setAttribute("instanceColorStart", new InterleavedBufferAttribute(colours, 3, 0));
-    geometry.setAttribute("instanceColorEnd", new InterleavedBufferAttribute(colours, 3, 3));
-  }
-
-  private reserve(): void {
-    const grow = (from: Float32Array<ArrayBuffer>) => {
-      const to = new Float32Array(2 * from.length);
-      to.set(from);
-      return to;
-    };
-    [this.positions, this.colours] = [grow(this.positions), grow(this.colours)];
-    const kinds = new Uint8Array(2 * this.kinds.length);
-    kinds.set(this.kinds);
-    this.kinds = kinds;
+    const size = 6 * Math.max(1, this.count);
+    const colours = new Float32Array(size);
+    for (let i = 0; i < this.count; i++) {
+      const { r, g, b } = this.palette[this.kinds.data[i]!]!;
+      colours.set([r, g, b, r, g, b], 6 * i);
+    }
+    for (const [name, data] of [["", Float32Array.from(this.positions.data.subarray(0, size))], ["Color", colours]] as const) {
+      const buffer = new InstancedInterleavedBuffer(data, 6, 1);
+      geometry.setAttribute(`instance${name}Start`, new InterleavedBufferAttribute(buffer, 3, 0));
+      geometry.setAttribute(`instance${name}End`, new InterleavedBufferAttribute(buffer, 3, 3));
+    }
   }
 }
 

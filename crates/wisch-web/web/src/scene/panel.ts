@@ -1,9 +1,10 @@
 // The scene with its overlays: legend with toggles, and buttons for views.
-import { el, say, uniqueId } from "../dom.ts";
+import { clockText, el, fixed, percent, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
 import { onTheme, isPrinting } from "../theme.ts";
+import { FORCES } from "./ribbon.ts";
 import { LAYERS, Stage } from "./stage.ts";
 import type { Layers, Look } from "./stage.ts";
 import type { Recording } from "../store.ts";
@@ -14,8 +15,11 @@ import type { Choice } from "../why.ts";
 
 const NAMES: Record<keyof Layers, string> = {
   believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
+  path: "Tool path", ribbon: "Force along the path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events, force at pushes", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
 };
+
+/** Distance of the label from the pointer [pixels]. */
+const POINT_PX = 24;
 
 /** A legend entry of queried data: a line, or particles in a state. */
 export interface Named {
@@ -33,9 +37,12 @@ export class ScenePanel {
   private readonly still = el("img", { class: "w-still", alt: "The robot and the surface at the shown time" });
   private readonly stop: (() => void)[] = [];
   private readonly mapTitle = el("strong");
-  private readonly map = el("div", {}, this.mapTitle);
+  private readonly mapScale = el("div", { class: "w-map-scale", hidden: true }, this.mapTitle);
+  private readonly forceTitle = el("strong");
+  private readonly forceScale = el("div", { class: "w-force-scale", hidden: true }, this.forceTitle,
+    el("ul", {}, ...FORCES.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
+  private readonly point = el("div", { class: "w-point", hidden: true });
   private readonly reach = makeReachScale();
-  private readonly scale = el("div", { class: "w-scene-scale", hidden: true }, this.reach, this.map);
   private queried: Named[] = [];
   /** Name of the rejected strokes that a reader chose. */
   private rejected: string | null = null;
@@ -58,7 +65,7 @@ export class ScenePanel {
       el("label", { class: "w-button w-xray", title: "Look through the robot" }, "X-ray", xray));
     this.element = el("section", { class: "w-scene", "aria-label": "Scene" },
       this.stage ? canvas : el("p", { class: "w-none" }, "This browser cannot draw 3-D graphics. The other panels still work."),
-      this.stage && views, this.stage && this.legend(compact), this.scale, this.extra, this.still);
+      this.stage && views, this.stage && this.legend(compact), el("div", { class: "w-scene-scale" }, this.forceScale, this.reach, this.mapScale), this.extra, this.point, this.still);
     if (!this.stage) return;
     const { stage } = this;
     let shaped = false;
@@ -81,6 +88,8 @@ export class ScenePanel {
       const time = stage.timeAt(offsetX, offsetY);
       if (time !== null) seek(time);
     });
+    canvas.addEventListener("pointermove", ({ offsetX, offsetY, buttons }) => this.explain(buttons ? null : [offsetX, offsetY]));
+    canvas.addEventListener("pointerleave", () => this.explain(null));
     this.stop.push(() => sizes.disconnect(), onTheme(() => {
       stage.paint();
       if (isPrinting()) this.still.src = stage.picture();
@@ -101,6 +110,7 @@ export class ScenePanel {
       actual: rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null),
       seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
       path: rounds.some(({ count }) => count > 0),
+      ribbon: rounds.some(({ count }) => count > 0),
       strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
       rejected: rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length)),
       bases: rounds.some(({ plan }) => plan.bases?.poses.length),
@@ -112,33 +122,58 @@ export class ScenePanel {
     };
     const treated = rounds.find(isTreated);
     if (this.stage && treated && !this.treats) this.nameMaps(treated);
+    this.element.toggleAttribute("data-target", rounds.some(({ target }) => target !== null));
     for (const [name, box] of this.boxes) box.hidden = !has[name];
     const layers = this.element.querySelector<HTMLElement>(".w-layers");
     if (layers) layers.hidden = !Object.values(has).some(Boolean);
   }
 
-  /** Shows the scale of the base poses, and that of the current map, and whether the map is predicted, estimated or true. */
+  /** Shows force and height of the tool at the place of its path that is under the pointer. */
+  private explain(pointer: [number, number] | null): void {
+    const time = pointer && this.stage!.timeAt(...pointer);
+    const instant = time === null ? null : this.recording.at(time);
+    this.point.hidden = instant?.normal == null;
+    if (!pointer || instant?.normal == null) return;
+    const { normal, height, round } = instant;
+    const target = round.isPressed(instant.time) ? round.target : null;
+    say(this.point, [
+      `${fixed(normal, 1)} N${target === null ? "" : `, ${percent(normal / target)} of the target of ${fixed(target, 1)} N`}`,
+      height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
+      `${clockText(time!, 2)} (click to go there)`,
+    ].filter((line) => line).join("\n"));
+    const [x, y] = pointer;
+    const { offsetWidth, offsetHeight } = this.point;
+    // Beside the pointer, so that the label covers none of what it explains.
+    const isLeft = x + offsetWidth + POINT_PX > this.element.clientWidth;
+    Object.assign(this.point.style, { left: `${isLeft ? x - offsetWidth - POINT_PX : x + POINT_PX}px`, top: `${Math.max(2, y - offsetHeight - POINT_PX)}px` });
+  }
+
+  /** Shows the scales of the force along the path, of the base poses, and of the current map, and whether the map is predicted, estimated or true. */
   private showScale(): void {
     const round = this.stage && this.recording.roundAt(this.time);
+    this.forceScale.hidden = !round?.target || !round.count || !this.stage!.layers.ribbon;
+    if (round?.target) say(this.forceTitle, `Force along the path, target ${fixed(round.target, 1)}\u202fN`);
     const map = round && mapAt(this.recording, this.time, round, this.stage!.layers);
     this.reach.hidden = !round?.plan.bases || !this.stage!.layers.bases;
-    this.map.hidden = !map;
-    this.scale.hidden = !map && this.reach.hidden;
+    this.mapScale.hidden = !map;
     if (!map) return;
     say(this.mapTitle, map.title);
     if (this.scaleOf === map.record) return;
     this.scaleOf = map.record;
-    this.map.replaceChildren(this.mapTitle, makeScale(map.record));
+    this.mapScale.replaceChildren(this.mapTitle, makeScale(map.record));
   }
 
-  /** Names the layers of dirt as maps of a treated surface. Only one map is shown at a time: the true one on request. */
+  /** Names the layers of dirt as maps of a treated surface. Only one map is shown at a time: the true one on
+   * request, and so is the force along the path, which would cover the map. */
   private nameMaps(round: Round): void {
     this.treats = true;
     const quantity = quantityOf(round);
     const names = { believed: `Predicted ${quantity}`, estimated: `Estimated ${quantity} after the round`, actual: `True ${quantity} after the round` };
     for (const [name, text] of Object.entries(names)) this.boxes.get(name as keyof typeof names)?.querySelector("label")!.replaceChildren(mark("map"), text);
-    this.stage!.layers.actual = false;
-    this.boxes.get("actual")!.querySelector("input")!.checked = false;
+    for (const name of ["actual", "ribbon"] as const) {
+      this.stage!.layers[name] = false;
+      this.boxes.get(name)!.querySelector("input")!.checked = false;
+    }
   }
 
   look(at: Look): void {

@@ -4,6 +4,7 @@ import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { dotTexture } from "./dirt.ts";
 import { normalUnder } from "./bend.ts";
+import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { matrix, shiftDepth } from "./solids.ts";
@@ -15,6 +16,8 @@ import type { Contact, Round } from "../round.ts";
 const STEP_M = 0.0015;
 /** Maximum number of segments; a longer path gets longer segments. */
 const MOST_SEGMENTS = 4000;
+/** Least force that is drawn as wide as a target, where no target is known [N]. */
+const REFERENCE_N = 5;
 
 /** Length of the axes of a frame [m]. */
 const AXIS_M = 0.1;
@@ -26,6 +29,8 @@ const KINDS: Record<Contact, number> = { none: 0, contact: 1, pushed: 2 };
 const palette = (): Color[] => ["lifted", "contact", "pushed"].map((name) => new Color(colour(name)));
 
 export class Path {
+  readonly object = new Group();
+  readonly ribbon: Ribbon;
   private readonly lines = new GrowingSegments(3, palette());
   private readonly times = new Column(true);
   private taken = 0;
@@ -35,24 +40,26 @@ export class Path {
   /** What the colours follow from. */
   private basis = "";
 
-  constructor(readonly round: Round) {}
-
-  get object() {
-    return this.lines.line;
+  constructor(readonly round: Round) {
+    this.ribbon = new Ribbon(MOST_SEGMENTS, round.target);
+    this.object.add(this.lines.line, this.ribbon.mesh);
   }
 
-  show(time: number, visible: boolean): void {
+  show(time: number, layers: { path: boolean; ribbon: boolean }): void {
     this.grow();
     const shown = lastAtMost(this.times.data, time, this.times.length) + 1;
-    this.lines.show(visible ? shown : 0);
+    this.lines.show(layers.path ? shown : 0);
+    this.ribbon.show(time, layers.ribbon);
   }
 
   paint(): void {
     this.lines.paint(palette());
+    this.ribbon.paint();
   }
 
   dispose(): void {
     this.lines.dispose();
+    this.ribbon.dispose();
   }
 
   /** Returns the ends of the path's segments between two times. */
@@ -62,35 +69,49 @@ export class Path {
     const step = Math.max(1, Math.floor(round.count / 20000));
     let before: Vector3 | null = null;
     for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t.data[i]! <= to; i += step) {
-      const place = this.place(i);
+      const { place } = this.place(i);
       if (before) ends.push(...before.toArray(), ...place.toArray());
       before = place;
     }
     return ends;
   }
 
-  /** Returns the time at which the shown path is nearest to a point on the screen; null beyond `within` [pixels]. */
-  nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number): number | null {
+  /** Returns the time at which the path, or with `pressed` its part in contact, is nearest to a point on the screen, the last one
+   * of several; null beyond `within` [pixels]. */
+  nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number, pressed: boolean): number | null {
     let [best, time] = [within ** 2, null as number | null];
     for (let k = 0; k < this.times.length && this.times.data[k]! <= until; k++) {
+      if (pressed && !this.round.isPressed(this.times.data[k]!)) continue;
       const at = toScreen(this.lines.end(k));
       const away = (at.x - x) ** 2 + (at.y - y) ** 2;
-      if (away < best) [best, time] = [away, this.times.data[k]!];
+      if (away <= best) [best, time] = [away, this.times.data[k]!];
     }
     return time;
   }
 
-  private place(i: number): Vector3 {
+  /** Returns the place of the tool at a sample, slightly over it, and the normal of the surface there. */
+  private place(i: number): { place: Vector3; normal: Vector3 } {
     const { data } = this.round.tool;
-    const tool = new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!);
-    return tool.addScaledVector(normalUnder(this.round.plan.surface, tool), 1.5 * ABOVE);
+    const place = new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!);
+    const normal = normalUnder(this.round.plan.surface, place);
+    return { place: place.addScaledVector(normal, 1.5 * ABOVE), normal };
+  }
+
+  /** Continues the band of force to a sample: on the believed surface, which is drawn. */
+  private press(i: number, { place, normal }: { place: Vector3; normal: Vector3 }): void {
+    const { round, step } = this;
+    const height = round.height.data[i]!;
+    const foot = Number.isFinite(height) ? place.clone().addScaledVector(normal, -height) : place;
+    const reference = round.target ?? Math.max(REFERENCE_N, round.normal.largest);
+    this.ribbon.push(round.t.data[i]!, foot, normal, round.normal.data[i]!, { step, reference });
   }
 
   private restart(): void {
     this.taken = 0;
     this.last = null;
-    this.lines.count = 0;
+    this.lines.clear();
     this.times.length = 0;
+    this.ribbon.clear();
   }
 
   private grow(): void {
@@ -102,8 +123,11 @@ export class Path {
     while (this.taken < settled) {
       const i = this.taken++;
       const time = round.t.data[i]!;
-      const place = this.place(i);
+      const at = this.place(i);
+      const { place } = at;
       if (!Number.isFinite(place.x + place.y + place.z)) continue;
+      if (round.isPressed(time) && Number.isFinite(round.normal.data[i]!)) this.press(i, at);
+      else this.ribbon.breakOff();
       const kind = KINDS[round.contactAt(time)];
       if (this.last && this.last.distanceToSquared(place) < this.step ** 2 && (kind === this.kind || this.step > 2 * STEP_M)) continue;
       if (this.last) {
@@ -145,7 +169,7 @@ export class Trajectories {
   readonly group = new Group();
 
   show(list: Trajectory[]): void {
-    this.clear();
+    disposeAll(this.group);
     list.forEach(({ points, samples, color }, i) => {
       // Drawn after the translucent highlight of the same path, and nearer than that path.
       const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
@@ -155,10 +179,6 @@ export class Trajectories {
       this.group.add(line);
       if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
-  }
-
-  clear(): void {
-    disposeAll(this.group);
   }
 }
 
@@ -193,7 +213,7 @@ function dots(places: readonly [number, number, number][], color: string): Point
   return points;
 }
 
-function disposeAll(group: Group): void {
+export function disposeAll(group: Group): void {
   for (const child of [...group.children]) {
     const { geometry, material } = child as Points<BufferGeometry, PointsMaterial>;
     geometry.dispose();

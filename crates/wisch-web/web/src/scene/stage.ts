@@ -30,9 +30,9 @@ import type { Choice } from "../why.ts";
 import type { Instant, Recording } from "../store.ts";
 import { mapAt } from "../treated.ts";
 
-export type Layers = Record<Mark | "path" | "strokes" | "rejected" | "bases" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
+export type Layers = Record<Mark | "path" | "ribbon" | "strokes" | "rejected" | "bases" | "force" | "events" | "found" | "actualSurface" | "collision", boolean>;
 export const LAYERS: Layers = {
-  believed: true, estimated: true, actual: true, seen: false, path: true, strokes: false, rejected: true, bases: false, force: true, events: true, found: true, actualSurface: true, collision: false,
+  believed: true, estimated: true, actual: true, seen: false, path: true, ribbon: true, strokes: false, rejected: true, bases: false, force: true, events: true, found: true, actualSurface: true, collision: false,
 };
 
 /** The robot at a time of the common clock [s], drawn translucent. */
@@ -77,6 +77,7 @@ export class Stage {
   private shots: Shots | null = null;
   private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
   private highlighted: { from: number; to: number }[] = [];
+  private selected: [number, number] | null = null;
   private readonly highlights = new Group();
   private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false });
   private readonly trajectories = new Trajectories();
@@ -131,7 +132,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
-    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.points, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
+    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.group, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -176,12 +177,12 @@ export class Stage {
 
   /** Returns the time of the common clock at which the tool was at a point of the canvas; null if its path is not near. */
   timeAt(x: number, y: number): number | null {
-    if (!this.path || !this.layers.path) return null;
+    if (!this.path || !(this.layers.path || this.layers.ribbon)) return null;
     const { clientWidth, clientHeight } = this.canvas;
     const time = this.path.nearest((place) => {
       place.project(this.camera.lens);
       return { x: ((place.x + 1) / 2) * clientWidth, y: ((1 - place.y) / 2) * clientHeight };
-    }, x, y, this.time - this.path.round.start, NEAR_PX);
+    }, x, y, this.time - this.path.round.start, NEAR_PX, !this.layers.path);
     return time === null ? null : this.path.round.start + time;
   }
 
@@ -221,6 +222,18 @@ export class Stage {
   /** What a reader chose of the plan of the shown round. */
   private get chosenNow(): Choice | null {
     return this.choice && this.choice.round === this.still?.round ? this.choice : null;
+  }
+
+  /** Lights up the force along the path in an interval of the common clock; null ends this. */
+  select(interval: [number, number] | null): void {
+    this.selected = interval;
+    this.lightRibbon();
+    this.ask();
+  }
+
+  /** Number of drawn and of lit segments of the force along the path, for measurements. */
+  get ribbon(): { drawn: number; lit: number } {
+    return this.path?.ribbon.counts ?? { drawn: 0, lit: 0 };
   }
 
   showTrajectories(list: Trajectory[]): void {
@@ -319,7 +332,7 @@ export class Stage {
     this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
     if (this.robot) this.robot.collisionShown = this.layers.collision;
     this.still!.fade(this.camera.lens.position);
-    this.path!.show(time, this.layers.path);
+    this.path!.show(time, this.layers);
     this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
     this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
@@ -343,6 +356,7 @@ export class Stage {
     this.shots = kept.shots;
     this.scene.add(this.still.group, this.path.object);
     this.drawHighlights();
+    this.lightRibbon();
   }
 
   private make(round: Round): { still: Still; path: Path; shots: Shots } {
@@ -380,6 +394,12 @@ export class Stage {
     const opacity = ((material.userData.opacity as number | undefined) ?? 1) * (1 - this.seeThrough);
     material.opacity = opacity;
     material.transparent = opacity < 1;
+  }
+
+  private lightRibbon(): void {
+    if (!this.path) return;
+    const { start } = this.path.round;
+    this.path.ribbon.select(this.selected && [this.selected[0] - start, this.selected[1] - start]);
   }
 
   private drawHighlights(): void {

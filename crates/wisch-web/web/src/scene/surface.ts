@@ -20,8 +20,8 @@ import type { Pose } from "../recording.ts";
 
 /** Height above the surface at which flat items are drawn [m]. */
 export const ABOVE = 0.0015;
-/** Length of a unit of the dashes that mark the truth [m]. */
-const DASH_M = 0.005;
+/** Dashes that mark the truth [m]. */
+export const TRUE_DASH_M: [number, number] = [0.005 * TRUTH_DASH[0], 0.005 * TRUTH_DASH[1]];
 
 /** Opacity of furniture between camera and surface [1]. */
 const FADED = 0.2;
@@ -182,7 +182,7 @@ export class Still {
     const group = placeAt(new Group(), pose);
     const line = this.keep(new LineMaterial({ linewidth: tint ? 3 : 2 }), name);
     const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (tint ? 1 : 2) * ABOVE]), true), true));
-    const outline = segments(tint ? ends : cutDashes(ends, [DASH_M * TRUTH_DASH[0], DASH_M * TRUTH_DASH[1]]), line);
+    const outline = segments(tint ? ends : cutDashes(ends, TRUE_DASH_M), line);
     this.own(outline.geometry);
     group.add(outline);
     const face = tint ? this.face() : null;

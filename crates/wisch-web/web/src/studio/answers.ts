@@ -1,13 +1,15 @@
 // The answers of a query: number, table, remarks and diagrams.
 import { el, fixed } from "../dom.ts";
 import { drawPlot } from "./plots.ts";
-import { episodeTitle, episodesOf, titleOf } from "./shown.ts";
-import type { Answers, Cell, Mention } from "./server.ts";
+import { beginText, episodeIn, episodeTitle, episodesOf, titleOf } from "./shown.ts";
+import type { Answers, Cell, Mention, Plot } from "./server.ts";
 
 /** Maximum number of listed answers. */
 const MOST_ROWS = 200;
 /** Maximum number of episodes listed below the answers. */
 const MOST_NAMED = 8;
+/** Maximum number of columns beside each other on a narrow page. */
+const MOST_BESIDE = 3;
 /** A number in this range counts as a time since 1970 [s]: the years 2001 to 2286. */
 const TIME_FROM = 1e9;
 const TIME_TO = 1e10;
@@ -49,17 +51,30 @@ export function drawAnswers(answers: Answers, actions: AnswerActions): Node[] {
   if (leftOut) parts.push(el("p", { class: "w-quiet s-remark" }, `The picture is full: ${leftOut} more queried ${leftOut === 1 ? "object is" : "objects are"} not drawn.`));
   for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
   if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
-  for (const one of view?.plots ?? []) parts.push(drawPlot(one, (name) => titleOf(answers, name)));
+  for (const one of view?.plots ?? []) parts.push(drawPlot(one, titlesOf(answers, one)));
   if (rows.length && columns.length) parts.push(makeTable(answers, actions));
   else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
   if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The table lists the first ${MOST_ROWS} of ${rows.length} answers.`));
   return parts;
 }
 
-const nameEpisode = ({ about }: Answers, id: string): string => {
-  const mention = about.flat().find(({ episode }) => episode === id);
+const findMention = ({ about }: Answers, id: string): Mention | undefined => about.flat().find(({ episode }) => episode === id);
+
+const nameEpisode = (answers: Answers, id: string): string => {
+  const mention = findMention(answers, id);
   return mention ? episodeTitle(mention) : id;
 };
+
+/** Returns the titles of names in a diagram, each with begin and task of its episode in a second line if the diagram is about several. */
+function titlesOf(answers: Answers, { amounts = [], spans = [] }: Plot): (name: string) => string {
+  const episodes = new Set([...amounts, ...spans].map(([name]) => episodeIn(name)).filter((id) => id !== null));
+  return (name) => {
+    const [id, title] = [episodeIn(name), titleOf(answers, name)];
+    if (id === null || episodes.size < 2) return title;
+    const mention = findMention(answers, id);
+    return `${title}\n${mention ? `${beginText(mention.begun)}, ${mention.task}` : id}`;
+  };
+}
 
 function makeTable(answers: Answers, actions: AnswerActions): HTMLElement {
   const { rows, columns, units, about } = answers;
@@ -68,11 +83,13 @@ function makeTable(answers: Answers, actions: AnswerActions): HTMLElement {
   const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...titles.map((name) => el("th", { scope: "col" }, name)), named && el("th", { scope: "col" }, "Episode"));
   const body = rows.slice(0, MOST_ROWS).map((row, i) => {
     const mentions = about[i] ?? [];
+    const cells = [...row.map((value, k) => makeCell(answers, value, units[k] ?? null)), ...(named ? [makeEpisodeCell(mentions)] : [])];
+    // With many columns, a narrow page shows each answer as a list of titles and values.
+    cells.forEach((cell, k) => cell.setAttribute("data-title", titles[k] ?? "Episode"));
     return el("tr", {},
-      el("td", {}, mentions.length ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => actions.show(answers, i, null) }, "Show") : ""),
-      ...row.map((value, k) => makeCell(answers, value, units[k] ?? null)), named && makeEpisodeCell(mentions));
+      el("td", {}, mentions.length ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => actions.show(answers, i, null) }, "Show") : ""), ...cells);
   });
-  return el("div", { class: "s-table", tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
+  return el("div", { class: `s-table${columns.length > MOST_BESIDE ? " s-stacks" : ""}`, tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
 }
 
 function makeEpisodeCell(mentions: Mention[]): HTMLElement {

@@ -26,6 +26,8 @@ class Studio {
   private known: Overview | null = null;
   private place: Place = HOME;
   private live: LiveSource[] = [];
+  /** Whether a place could not be chosen because the list of runs is unknown; the stage shows why. */
+  private waits = false;
   /** Number of started loads; the result of an outdated load is dropped. */
   private opened = 0;
 
@@ -98,6 +100,7 @@ class Studio {
       this.side.show(this.known);
       this.dialog.setScenarios(this.known.scenarios);
       this.stage.onConnectionChanged();
+      if (this.waits) void this.route();
     } catch (error) {
       if (!this.known) this.stage.say("fault", (error as Error).message);
     }
@@ -149,6 +152,8 @@ class Studio {
     this.side.compareWith(null);
     this.side.mark(place.ids);
     if (this.isNarrow && place.kind !== "home") this.open(null);
+    this.waits = place.kind === "home" && !this.known;
+    if (this.waits) return;
     if (place.kind === "home") {
       this.stage.say("note", "This memory has no runs yet.",
         el("button", { class: "w-button s-primary", type: "button", click: () => this.dialog.open() }, "Start a task"));

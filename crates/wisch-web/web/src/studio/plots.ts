@@ -6,14 +6,17 @@ import type { Plot } from "./server.ts";
 const WIDTH = 400;
 const HEIGHT = 220;
 const [LEFT, RIGHT, TOP, BOTTOM] = [52, 12, 10, 38];
-const ROW = 24;
+const ROW = 27;
 /** Width of the labels beside bars. */
 const LABEL = 130;
+/** Letters of a label, and of its second line, which is smaller. */
+const LETTERS = 20;
+const SMALL_LETTERS = 21;
 
-/** Draws a diagram; `titled` returns the title of a name. */
+/** Draws a diagram; `titled` returns the title of a name, with its episode in a second line. */
 export function drawPlot(given: Plot, titled: (name: string) => string): HTMLElement {
-  const label = <T>(list: [string, T][] | undefined) => list?.map(([name, value]): [string, T] => [titled(name), value]);
-  const one = { ...given, amounts: label(given.amounts), spans: label(given.spans) };
+  const entitle = <T>(list: [string, T][] | undefined) => list?.map(([name, value]): [string, T] => [titled(name), value]);
+  const one = { ...given, amounts: entitle(given.amounts), spans: entitle(given.spans) };
   const title = one.title || one.id || one.diagram;
   const drawn = one.amounts ? (one.diagram === "piechart" ? drawPie(one.amounts) : drawBars(one.amounts)) : one.spans ? drawSpans(one.spans) : drawPoints(one);
   drawn.setAttribute("role", "img");
@@ -26,17 +29,25 @@ const short = (value: number): string => (Number.isInteger(value) ? fixed(value,
 const picture = (height: number, ...children: (Node | null)[]): SVGSVGElement => svg("svg", { viewBox: `0 0 ${WIDTH} ${height}` }, ...children);
 const text = (x: number, y: number, words: string, anchor: "start" | "middle" | "end" = "start"): SVGElement =>
   svg("text", { x, y, "text-anchor": anchor, fill: "var(--ink)", "font-size": 11.5 }, words);
+/** Makes a label of one or two lines. */
+const label = (x: number, y: number, words: string, anchor: "start" | "end" = "end"): SVGElement[] => {
+  const [first = "", second] = words.split("\n");
+  if (!second) return [text(x, y, cut(first, LETTERS), anchor)];
+  const small = svg("text", { x, y: y + 6, "text-anchor": anchor, fill: "var(--quiet)", "font-size": 9.5 }, cut(second, SMALL_LETTERS));
+  return [text(x, y - 5, cut(first, LETTERS), anchor), small];
+};
+const oneLine = (words: string): string => words.replace("\n", ", ");
 const cut = (words: string, most: number): string => (words.length > most ? `${words.slice(0, most - 1)}\u2026` : words);
 
 function drawBars(amounts: [string, number][]): SVGSVGElement {
   const [low, high] = [Math.min(0, ...amounts.map(([, n]) => n)), Math.max(0, ...amounts.map(([, n]) => n))];
   const x = (value: number) => LABEL + ((WIDTH - LABEL - 52) * (value - low)) / (high - low || 1);
-  return picture(amounts.length * ROW + 6, ...amounts.flatMap(([label, value], i) => {
+  return picture(amounts.length * ROW + 6, ...amounts.flatMap(([name, value], i) => {
     const y = i * ROW + 4;
     const [from, to] = value < 0 ? [x(value), x(0)] : [x(0), x(value)];
     return [
-      text(LABEL - 6, y + 13, cut(label, 20), "end"),
-      svg("rect", { x: from, y, width: Math.max(1, to - from), height: ROW - 6, rx: 3, fill: "var(--believed)" }, svg("title", {}, `${label}: ${value}`)),
+      ...label(LABEL - 6, y + 13, name),
+      svg("rect", { x: from, y, width: Math.max(1, to - from), height: ROW - 6, rx: 3, fill: "var(--believed)" }, svg("title", {}, `${oneLine(name)}: ${value}`)),
       text(to + 5, y + 13, short(value)),
     ];
   }));
@@ -47,8 +58,8 @@ function drawPie(amounts: [string, number][]): SVGSVGElement {
   const [cx, cy, r] = [90, 92, 82];
   let angle = -Math.PI / 2;
   const rim = (a: number) => `${cx + r * Math.cos(a)} ${cy + r * Math.sin(a)}`;
-  const height = Math.max(2 * cy, amounts.length * 20 + 10);
-  return picture(height, ...amounts.flatMap(([label, value], i) => {
+  const height = Math.max(2 * cy, amounts.length * ROW + 10);
+  return picture(height, ...amounts.flatMap(([name, value], i) => {
     const from = angle;
     angle += (2 * Math.PI * value) / all;
     const fill = TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!;
@@ -56,7 +67,7 @@ function drawPie(amounts: [string, number][]): SVGSVGElement {
     const shape = isAll
       ? svg("circle", { cx, cy, r, fill })
       : svg("path", { d: `M${cx} ${cy}L${rim(from)}A${r} ${r} 0 ${angle - from > Math.PI ? 1 : 0} 1 ${rim(angle)}Z`, fill, stroke: "var(--paper)" });
-    return [shape, svg("rect", { x: 190, y: i * 20 + 4, width: 12, height: 12, fill }), text(208, i * 20 + 14, `${cut(label, 20)}: ${short(value)} (${fixed((100 * value) / all, 0)} %)`)];
+    return [shape, svg("rect", { x: 190, y: i * ROW + 4, width: 12, height: 12, fill }), ...label(208, i * ROW + 14, name, "start"), text(WIDTH - 4, i * ROW + 14, `${short(value)} (${fixed((100 * value) / all, 0)} %)`, "end")];
   }));
 }
 
@@ -65,9 +76,9 @@ function drawSpans(list: [string, [number, number]][]): SVGSVGElement {
   const to = Math.max(...list.map(([, [, end]]) => end));
   const x = (time: number) => LABEL + ((WIDTH - LABEL - 10) * (time - from)) / (to - from || 1);
   const height = list.length * ROW + 22;
-  return picture(height, ...list.flatMap(([label, [start, end]], i) => [
-    text(LABEL - 6, i * ROW + 17, cut(label, 20), "end"),
-    svg("rect", { x: x(start), y: i * ROW + 4, width: Math.max(2, x(end) - x(start)), height: ROW - 8, rx: 3, fill: "var(--event)" }, svg("title", {}, `${label}: ${short(end - start)} s`)),
+  return picture(height, ...list.flatMap(([name, [start, end]], i) => [
+    ...label(LABEL - 6, i * ROW + 17, name),
+    svg("rect", { x: x(start), y: i * ROW + 4, width: Math.max(2, x(end) - x(start)), height: ROW - 8, rx: 3, fill: "var(--event)" }, svg("title", {}, `${oneLine(name)}: ${short(end - start)} s`)),
   ]), text(LABEL, height - 4, "0 s"), text(WIDTH - 10, height - 4, `${short(to - from)} s`, "end"));
 }
 

@@ -116,10 +116,16 @@ export function apply(view: View, { trajectories, ghosts, frames, intervals, par
 
 export const local = (name: string): string => name.replace(/^[a-z]+:/, "");
 
+/** Returns the episode that the name of an individual states; null if it states none. */
+export const episodeIn = (name: string): string | null => /\d{8}-\d{6}-[0-9a-f]{4}/.exec(name)?.[0] ?? null;
+
 /** Returns the title of an individual, or else its name without the name of its episode. */
 export const titleOf = ({ names }: Pick<Answers, "names">, name: string): string =>
   names[name] ?? local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
 
+/** Returns the begin of an episode, in local time. */
+export const beginText = (begun: number): string =>
+  new Date(1000 * begun).toLocaleString("en-GB", { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit" });
+
 /** Returns task and begin of an episode, in local time. */
-export const episodeTitle = ({ task, begun }: Pick<Mention, "task" | "begun">): string =>
-  `${task}, ${new Date(1000 * begun).toLocaleString("en-GB", { day: "numeric", month: "short", hour: "2-digit", minute: "2-digit" })}`;
+export const episodeTitle = ({ task, begun }: Pick<Mention, "task" | "begun">): string => `${task}, ${beginText(begun)}`;

@@ -1,7 +1,7 @@
 // Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
 import { drawFitted, font } from "./frame.ts";
-import type { Frame, Pen } from "./frame.ts";
+import type { Frame, Lane, Pen } from "./frame.ts";
 
 export interface Interval {
   start: number;
@@ -87,4 +87,18 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.fillStyle = colour("ink");
     drawFitted(pen, text, x, middle + 0.5, width + 1);
   }
+}
+
+/** Draws a selected interval as a frame in a lane, beside which the lane is faded. */
+export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [start, end]: [number, number]): void {
+  const right = frame.width - frame.right;
+  const [from, to] = [start, end].map((time) => Math.min(right, Math.max(frame.left, frame.x(time)))) as [number, number];
+  pen.fillStyle = colour("paper");
+  pen.globalAlpha = 0.65;
+  pen.fillRect(frame.left, top - 2, from - frame.left, height + 4);
+  pen.fillRect(to, top - 2, right - to, height + 4);
+  pen.globalAlpha = 1;
+  pen.strokeStyle = colour("accent");
+  pen.lineWidth = 1.5;
+  pen.strokeRect(from, top - 1, to - from, height + 2);
 }

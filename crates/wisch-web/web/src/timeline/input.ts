@@ -1,7 +1,14 @@
-// Pointer and wheel on the timeline: drag to seek, wheel or two fingers to zoom, double-click to show the whole run.
+// Pointer and wheel on the timeline: drag to seek, or over the force to select an interval, wheel or two fingers to zoom, double-click to show the whole run.
+
+/** Longest way of the pointer in a click [pixels]. */
+const SLIP_PX = 4;
 
 export interface Handlers {
   seek(x: number): void;
+  /** Whether a drag that begins at a height selects an interval. */
+  selectsAt(y: number): boolean;
+  /** Selects the interval between two places; null ends the selection. */
+  select(ends: [number, number] | null): void;
   hover(x: number | null): void;
   /** Zooms by a factor about x, then moves by `moved` [pixels]. */
   zoom(x: number, factor: number, moved: number): void;
@@ -11,6 +18,8 @@ export interface Handlers {
 export function listenPointer(element: HTMLElement, handlers: Handlers): void {
   const pointers = new Map<number, number>();
   let pinched = false;
+  /** Where the drag of a selection began. */
+  let begun: number | null = null;
   /** Pixels of the element, which the page may show magnified. */
   const xOf = (event: MouseEvent) => {
     const { left, width } = element.getBoundingClientRect();
@@ -28,6 +37,10 @@ export function listenPointer(element: HTMLElement, handlers: Handlers): void {
     element.focus({ preventScroll: true });
     if (pointers.size === 1) {
       pinched = false;
+      // A finger seeks everywhere, since the force has most of the room.
+      const { top, height } = element.getBoundingClientRect();
+      begun = event.pointerType !== "touch" && handlers.selectsAt((event.clientY - top) * (element.clientHeight / height || 1)) ? xOf(event) : null;
+      handlers.select(null);
       handlers.seek(xOf(event));
     } else pinched = true;
   });
@@ -42,8 +55,9 @@ export function listenPointer(element: HTMLElement, handlers: Handlers): void {
       const now = measurePinch();
       handlers.zoom(before.middle, before.distance / now.distance, now.middle - before.middle);
     } else if (!pinched) {
+      if (begun === null) handlers.seek(xOf(event));
+      else if (Math.abs(xOf(event) - begun) > SLIP_PX) handlers.select([begun, xOf(event)]);
       handlers.hover(xOf(event));
-      handlers.seek(xOf(event));
     }
   });
   const up = (event: PointerEvent) => {

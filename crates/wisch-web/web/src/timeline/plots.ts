@@ -1,4 +1,5 @@
 // Plots over time: force, height and performance.
+import { fixed } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { forEachPixel } from "./lanes.ts";
 import { PREDICTED_DASH, drawLine, font, levels } from "./frame.ts";
@@ -34,19 +35,23 @@ function drawClipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void
 }
 
 /** Draws a measured column of all rounds; `unit` converts its values to shown values. */
-export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number] }): void {
+export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number]; target?: (round: Round) => number | null }): void {
   let [low, high] = [0, look.least];
   for (const round of recording.rounds) {
     const { least, largest } = of(round);
-    if (least <= largest) [low, high] = [Math.min(low, least * look.unit), Math.max(high, largest * look.unit)];
+    if (least <= largest) [low, high] = [Math.min(low, least * look.unit), Math.max(high, largest * look.unit, look.target?.(round) ?? 0)];
   }
   // Heights far from the surface would flatten the heights in contact.
   if (look.bounds) [low, high] = [Math.max(low, look.bounds[0]), Math.min(high, look.bounds[1])];
   const room = 0.06 * (high - low);
   const y = drawScale(pen, frame, lane, low < 0 ? low - room : 0, high + room, 3, (value) => String(Number(value.toPrecision(3))).replace("-", "\u2212"));
+  let labelled: number | null = null;
   drawClipped(pen, frame, lane, () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
+      const target = look.target?.(round) ?? null;
+      if (target !== null) drawTarget(pen, [Math.max(frame.left, frame.x(round.start)), frame.x(round.end)], y(target), frame.narrow || target === labelled ? "" : `target ${fixed(target, 1)}\u202fN`, true);
+      labelled = target;
       pen.strokeStyle = colour(look.name);
       pen.lineWidth = 1.5;
       pen.lineJoin = "round";
@@ -98,11 +103,7 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   const target = recording.head?.task?.target;
   const right = frame.width - frame.right;
   drawClipped(pen, frame, lane, () => {
-    if (target !== undefined) {
-      pen.setLineDash([6, 4]);
-      drawLine(pen, frame.left, y(target), right, y(target), "target", 1.5);
-      pen.setLineDash([]);
-    }
+    if (target !== undefined) drawTarget(pen, [frame.left, right], y(target), `target ${Math.round(100 * target)}\u202f%`, target <= 0.8);
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
       drawPrediction(pen, frame, round, y);
@@ -114,12 +115,18 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
     if (band) drawBand(pen, band, round.interpreted.estimate, y);
     if (round.end >= frame.from) drawResult(pen, frame, round, y);
   });
-  if (target === undefined) return;
+}
+
+/** Draws a target as a dashed line, with its label above or below it. */
+function drawTarget(pen: Pen, [from, to]: [number, number], y: number, label: string, isAbove: boolean): void {
+  pen.setLineDash([6, 4]);
+  drawLine(pen, from, y, to, y, "target", 1.5);
+  pen.setLineDash([]);
   font(pen, 10);
   pen.fillStyle = colour("target");
   pen.textAlign = "left";
-  pen.textBaseline = target > 0.8 ? "top" : "bottom";
-  pen.fillText(`target ${Math.round(100 * target)}\u202f%`, frame.left + 5, y(target) + (target > 0.8 ? 3 : -2));
+  pen.textBaseline = isAbove ? "bottom" : "top";
+  pen.fillText(label, from + 5, y + (isAbove ? -2 : 3));
 }
 
 function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
