@@ -95,7 +95,9 @@ impl Interpreted {
                         .unwrap_or(&motion.task.particles),
                 ),
             },
-            density: places.is_none().then(|| find_density(&found.belief)),
+            density: places.is_none().then(|| {
+                find_density(&found.belief, &motion.plan.graph.goal, &motion.task.surface)
+            }),
             treated: places.and_then(|places| places.mean_values(&found.belief)),
         }
     }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::geometry::Point2;
 use wisch::interpret::Belief;
-use wisch::represent::ParticleDistribution;
+use wisch::represent::{GoalState, ParticleDistribution, Performance, Surface};
 
 /// Maximum number of particles that are shown at one time.
 const MAX_SHOWN: usize = 1_500;
@@ -97,11 +97,18 @@ pub(super) struct DensityRecord {
     places: Vec<i64>,
     /// Expected number of particles in each cell.
     expected: Vec<f64>,
+    /// Expected number of particles in the goal area, where dirt is collected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    goal: Option<f64>,
 }
 
 /// Returns the expected number of particles on the surface in each cell; cells that hold next to none are left out. The
 /// cells are as small as [`MAX_CELLS`] allows.
-pub(super) fn find_density(belief: &Belief) -> DensityRecord {
+pub(super) fn find_density(belief: &Belief, goal: &GoalState, surface: &Surface) -> DensityRecord {
+    let collects = matches!(goal, GoalState::Collected { .. });
+    let in_goal = |member: &ParticleDistribution| {
+        Performance::evaluate(member, goal, surface).achieved as f64
+    };
     let mut cell = DENSITY_CELL;
     loop {
         let found = count_expected(belief, cell);
@@ -113,10 +120,18 @@ pub(super) fn find_density(belief: &Belief) -> DensityRecord {
                 cell,
                 places: places.into_flattened(),
                 expected,
+                goal: collects.then(|| round_to(find_mean(belief, in_goal), 1e2)),
             };
         }
         cell *= 2.0;
     }
+}
+
+fn find_mean(belief: &Belief, value: impl Fn(&ParticleDistribution) -> f64) -> f64 {
+    let total: f64 = belief.weights().iter().sum();
+    let weighted = (belief.members().iter().zip(belief.weights()))
+        .map(|(member, weight)| weight * value(member));
+    weighted.sum::<f64>() / total
 }
 
 fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {

@@ -30,6 +30,9 @@ pub(super) struct RoundPiece {
     goal: Option<GoalRecord>,
     strokes: Vec<Vec<i64>>,
     phases: Vec<PhaseRecord>,
+    /// Planned normal force of an executed round [N].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    press_force: Option<f64>,
     predicted: Option<f64>,
     /// Predicted share of lost dirt [1].
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -143,6 +146,7 @@ impl RoundPiece {
             goal: None,
             strokes: Vec::new(),
             phases,
+            press_force: None,
             predicted: None,
             lost: None,
             growth: Vec::new(),
@@ -236,6 +240,8 @@ impl Shown<'_> {
                 .map(|stroke| line(stroke.poses.iter().map(|pose| &pose.position)))
                 .collect(),
             phases: followed.map_or_else(Vec::new, phases),
+            press_force: (self.kind == "executed")
+                .then(|| round_to(task.interaction.press_force_n, 1e3)),
             predicted: Some(round_to(self.predicted.ratio(), 1e4)),
             lost: Some(find_lost_share(&self.predicted)),
             growth: growth.collect(),

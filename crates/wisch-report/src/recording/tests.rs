@@ -4,7 +4,7 @@ use wisch::follow::{FollowConfig, follow};
 use wisch::geometry::Point2;
 use wisch::interpret::Belief;
 use wisch::plan::{Candidate, PlanConfig, PlanError, PlanScore, plan, predict};
-use wisch::represent::{Action, DirtArea, Fate, OccupiedArea, Treatment, surface_cells};
+use wisch::represent::{Action, DirtArea, Fate, GoalState, OccupiedArea, Treatment, surface_cells};
 use wisch::run::CandidateEvaluation;
 use wisch_testkit as kit;
 
@@ -129,6 +129,11 @@ fn a_plan_has_reasons() {
 
 #[test]
 fn a_density_counts_the_particles_that_remain() {
+    let task = kit::board(Action::Collect, [0.6, 0.0, 0.2]);
+    let goal = GoalState::Collected {
+        center: Point2::new(-0.2, -0.1),
+        radius: 0.015,
+    };
     let place = |i: usize| Point2::new(0.0015 * i as f64 - 0.2, -0.1);
     let member = |gone: usize| {
         let fates: Vec<(Point2, Fate)> = (0..100)
@@ -147,12 +152,16 @@ fn a_density_counts_the_particles_that_remain() {
     };
     let belief =
         Belief::from_members([0, 0, 0, 100].map(member).to_vec()).expect("the same places");
-    let found = serde_json::to_value(particles::find_density(&belief)).expect("numbers");
+    let found = serde_json::to_value(particles::find_density(&belief, &goal, &task.surface))
+        .expect("numbers");
     let expected = found["expected"].as_array().expect("numbers").iter();
     let sum: f64 = expected
         .map(|count| count.as_f64().expect("a number"))
         .sum();
     assert!((sum - 75.0).abs() < 0.5, "{sum}");
+    // Ten or eleven of the places are within 15 mm, in three of four members.
+    let in_goal = found["goal"].as_f64().expect("a number");
+    assert!((7.5..=8.25).contains(&in_goal), "{in_goal}");
     let cells = found["places"].as_array().expect("numbers").len() / 2;
     assert_eq!((&found["cell"], cells), (&0.01.into(), 15));
 }
