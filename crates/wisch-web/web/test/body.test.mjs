@@ -35,7 +35,7 @@ for (const head of heads) {
         return { from, to, radius };
       }));
       body.forEach((parts, i) => Object.entries(parts).forEach(([finish, geometry]) => {
-        const out = Math.max(...cornersOf(geometry).map((corner) => Math.min(...rods.map((rod) => distanceTo(rod, corner.clone().applyMatrix4(worldFromLink[i]))))));
+        const out = Math.max(...cornersOf(geometry).map((corner) => Math.min(...rods.map((rod) => distanceTo(rod, ...corner.clone().applyMatrix4(worldFromLink[i]))))));
         // What connects hand and tool bridges the gap that the collision shapes leave.
         assert.ok(out < (finish === "handle" ? 0.06 : OUT_M), `${robot.links[i].name}, ${finish}: ${out} m`);
       }));

@@ -184,7 +184,7 @@ function addDrum(add: Add, at: Matrix4, r: number, h: number): void {
 function findRoom(axis: Vector3, { rods, before, after, worldFromLink }: Link): { room: number; along: number } {
   const linkFromWorld = inverse(worldFromLink);
   const near = [...(before ? [before] : []), ...(rods.length ? [] : after)].flatMap((other) => moved(other.rods, linkFromWorld.clone().multiply(other.worldFromLink)));
-  const roomAt = (along: number) => Math.max(...[...near, ...rods].map((rod) => -distanceTo(rod, axis.clone().multiplyScalar(along))));
+  const roomAt = (along: number) => Math.max(...[...near, ...rods].map((rod) => -distanceTo(rod, along * axis.x, along * axis.y, along * axis.z)));
   const best = { room: roomAt(0), along: 0 };
   for (let along = -0.3; along <= 0.3; along += 0.01) if (roomAt(along) > best.room / 0.75 + 1e-3) Object.assign(best, { room: roomAt(along), along });
   return best;
@@ -213,7 +213,7 @@ const behind = (width: number): [number, number] => [width + 0.04, 2 * Math.PI -
 /** Adds a dark shell, and light panels on it with gaps between them. */
 function addPanels(add: Add, shell: Shell, panels: readonly Panel[], depth: number): void {
   add("joint", makePatch(shell, depth, ROUND, [-1, 1], Math.PI / 12));
-  for (const [azimuths, heights] of panels) add("casing", makePatch(shell, 0, azimuths, heights, Math.PI / 18));
+  for (const [azimuths, heights] of panels) add("casing", makePatch(shell, 0, azimuths, heights, Math.PI / 15));
 }
 
 /** Adds a base or a chest: its foot stays dark. */
