@@ -1,6 +1,7 @@
 // A view of a recording: scene, details, clock and timeline.
 import { Clock } from "./clock.ts";
 import { clockText, el } from "./dom.ts";
+import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
 import { colour } from "./theme.ts";
@@ -63,7 +64,8 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   });
   const timeline = new Timeline(recording, clock, compact);
   const words = compact ? null : new Words(recording, clock);
-  const bar = makeTransport(clock, recording);
+  const film = panel.stage && !compact ? makeFilm(panel.stage, recording, clock) : null;
+  const bar = makeTransport(clock, recording, film?.element ?? null);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
   root.append(element);
@@ -71,6 +73,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {
     words?.show();
     bar.show();
+    film?.show();
   });
   const show = () => {
     panel.show(clock.time);
@@ -143,6 +146,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     destroy: () => {
       frames.drop(show);
       texts.stop();
+      film?.destroy();
       for (const stop of stops) stop();
       panel.destroy();
       timeline.destroy();

@@ -1,4 +1,4 @@
-// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures]`. It prints times, and asserts only that they
+// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures [part of a case's name]]`. It prints times, and asserts only that they
 // are below five times their targets, so that a busy machine does not fail it.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -20,7 +20,7 @@ const note = (name, value, unit, wanted) => figures.push([name, `${value} ${unit
 const show = (name, recording, options) => openPage(name, reportPage(recording), options);
 
 /** Opens a page; collects its console errors and its requests. */
-async function openPage(name, html, { width = 1440, height = 900, hash = "", ...options } = {}) {
+async function openPage(name, html, { width = 1440, height = 900, hash = "", before = () => {}, ...options } = {}) {
   const file = join(folder, `${name}.html`);
   writeFileSync(file, html);
   const page = await browser.newPage({ viewport: { width, height }, ...options });
@@ -28,6 +28,7 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", ...
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
   page.on("pageerror", (error) => complaints.push(error.stack));
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`); });
+  await page.addInitScript(before);
   await page.addInitScript(() => {
     const look = () => {
       if (window.wisch?.view?.frames > 0) window.firstFrame = performance.now();
@@ -422,6 +423,53 @@ const cases = {
     }
   },
 
+  async "a run is recorded as a video of the right duration"() {
+    const { page, complaints, picture } = await show("film", whole);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.waitForFunction(() => window.firstFrame);
+    await page.getByText("Film", { exact: true }).click();
+    const said = page.locator(".w-film p");
+    await page.getByRole("button", { name: "Record at 1\u00d7" }).click();
+    await page.waitForFunction(() => document.querySelector(".w-film progress").value > 0.02);
+    assert.match(await said.innerText(), /^Recording \d+ s of \d+ s at 1\u00d7\.$/);
+    await page.getByRole("button", { name: "Cancel" }).click();
+    assert.match(await said.innerText(), /cancelled/);
+    assert.deepEqual(await page.evaluate(() => [wisch.view.clock.playing, document.querySelector(".w-film progress").hidden, document.querySelector(".w-film a").hidden]), [false, true, true]);
+    await page.evaluate(() => wisch.view.clock.setSpeed(2));
+    await page.getByLabel("Part of the run").selectOption("Round 2");
+    await page.getByRole("button", { name: "Record at 2\u00d7" }).click();
+    const link = page.getByRole("link", { name: "Save the clip" });
+    await link.waitFor({ timeout: 60_000 });
+    const [words, name] = [await said.innerText(), await link.getAttribute("download")];
+    const { wanted, clip } = await page.evaluate(async () => {
+      const blob = await (await fetch(document.querySelector(".w-film a").href)).blob();
+      const video = document.createElement("video");
+      video.muted = true;
+      video.src = URL.createObjectURL(blob);
+      // A recorded stream states no duration; its last picture does.
+      await new Promise((done) => { video.onloadedmetadata = done; });
+      video.currentTime = 1e6;
+      await new Promise((done) => { video.onseeked = done; });
+      const { start, end } = wisch.recording.rounds[1];
+      return { wanted: (end - start) / 2, clip: { size: blob.size, type: blob.type, duration: video.duration, width: video.videoWidth, height: video.videoHeight, canvas: document.querySelector(".w-canvas").clientWidth } };
+    });
+    assert.match(words, /^\d+\.\d s at 2\u00d7, \d+\.\d MB\./);
+    assert.equal(name, "Breadcrumbs-on-a-chopping-board.webm");
+    assert.equal(clip.type, "video/webm");
+    assert.ok(clip.size > 20_000 && clip.height > 200, JSON.stringify(clip));
+    near(clip.width, clip.canvas, 1);
+    note("film", clip.duration.toFixed(1), "s of video", `${(wanted + 1.5).toFixed(1)} with its last picture`);
+    near(clip.duration, wanted + 1.5, 1.2);
+    await picture("film");
+    assert.deepEqual(complaints, []);
+    await page.close();
+    const bare = await show("film-without", whole, { before: () => { delete window.MediaRecorder; } });
+    await bare.page.getByText("Film", { exact: true }).click();
+    assert.match(await bare.page.locator(".w-film p").innerText(), /cannot record video/);
+    assert.ok(await bare.page.locator(".w-film button").first().isDisabled());
+    await bare.page.close();
+  },
+
   async "queried data is drawn, listed and removed"() {
     const { page, complaints, picture } = await show("asked", whole, { hash: "#t=9.5" });
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
@@ -644,6 +692,7 @@ const cases = {
 
 let failed = 0;
 for (const [name, run] of Object.entries(cases)) {
+  if (!name.includes(process.argv[3] ?? "")) continue;
   try {
     await run();
     console.log(`ok ${name}`);

@@ -92,6 +92,8 @@ export class Stage {
   private time = 0;
   /** Number of drawn frames, for measurements. */
   drawn = 0;
+  /** Is called after each frame, while the canvas still has it. */
+  onDrawn: (() => void) | null = null;
 
   /** Number of drawn ghosts, for measurements. */
   get ghostCount(): number {
@@ -99,7 +101,7 @@ export class Stage {
   }
 
   /** `left` is called when the camera stops following because a user moves it. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
+  constructor(readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
     this.painter = new Painter(canvas);
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
     const own = new Map<string, Material>();
@@ -269,6 +271,7 @@ export class Stage {
     if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
+    this.onDrawn?.();
   }
 
   private place(instant: Instant): void {
