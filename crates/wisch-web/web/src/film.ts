@@ -48,7 +48,7 @@ class Take {
     this.recorder.addEventListener("dataavailable", ({ data }) => this.chunks.push(data));
   }
 
-  /** Starts the recorder with the current picture; calls `then` when it records. */
+  /** Starts the recorder with the current picture, without which it would wait; calls `then` when it records. */
   start(then: () => void): void {
     this.recorder.addEventListener("start", () => {
       this.begun = performance.now();

@@ -4,7 +4,7 @@ import { clockText, el } from "./dom.ts";
 import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
-import { colour } from "./theme.ts";
+import { colour, onTheme } from "./theme.ts";
 import { askedColour } from "./scene/asked.ts";
 import type { Camera } from "./scene/camera.ts";
 import type { ShownParticles } from "./scene/asked.ts";
@@ -87,6 +87,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
+    onTheme(() => name()),
     listenKeys(element, clock, recording, (key) => {
       if (key === "f") panel.look("all");
       else if (key === "v") panel.look("above");

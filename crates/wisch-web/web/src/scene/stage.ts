@@ -240,6 +240,7 @@ export class Stage {
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
     this.asked.paint();
+    this.trajectories.paint();
     this.force.paint();
     for (const { still, path } of this.entered.values()) {
       still.paint();
