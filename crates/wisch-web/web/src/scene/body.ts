@@ -47,7 +47,7 @@ interface Link {
 export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
   if (!robot) return [];
   const links = findLinks(robot);
-  return robot.links.map(({ name, shapes }, i) => {
+  return robot.links.map(({ name, arm, shapes }, i) => {
     const parts: Record<Finish, BufferGeometry[]> = { casing: [], joint: [], ring: [], handle: [] };
     const add: Add = (finish, geometry, at) => {
       geometry.deleteAttribute("uv");
@@ -56,10 +56,13 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
     };
     const link = links[i]!;
     const [rod] = link.rods;
-    if (link.trunk) addTrunk(add, link);
-    else if (rod && /head/i.test(name)) addHead(add, rod, link.worldFromLink);
-    else if (rod && !link.after.length) addGrip(add, rod, findHeld(tool, meshes, links, link), /left/i.test(name));
-    else for (const one of link.rods) addCasing(add, one);
+    const near = seenFrom(link, link.before ? [link.before, ...link.after] : link.after);
+    const held = findHeld(tool, meshes, robot, links, link);
+    // Several links at the end of another one are fingers, and no hands.
+    const isHand = shapes.length === 1 && !link.after.length && (held !== null || link.before?.after.length === 1);
+    if (rod && !arm && /head/i.test(name)) addHead(add, rod, link.worldFromLink);
+    else if (rod && isHand) addGrip(add, rod, held, /left/i.test(name));
+    else if (!link.trunk || !addTrunk(add, link)) for (const one of link.rods) addCasing(add, one, near);
     for (const shape of shapes) if (shape.kind !== "capsule") addShape(add, shape, link.worldFromLink, meshes);
     if (link.before) addHousing(add, robot.joints[i - 1]!, link);
     return Object.fromEntries(Object.entries(parts).filter(([, list]) => list.length).map(([finish, list]) => [finish, mergeGeometries(list)]));
@@ -68,6 +71,9 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
 
 const inverse = (pose: Matrix4) => pose.clone().invert();
 const moved = (rods: readonly Rod[], by: Matrix4): Rod[] => rods.map(({ from, to, radius }) => ({ from: from.clone().applyMatrix4(by), to: to.clone().applyMatrix4(by), radius }));
+
+/** Returns the capsules of other links in the frame of a link, at position 0 of all joints. */
+const seenFrom = ({ worldFromLink }: Pick<Link, "worldFromLink">, others: readonly Link[]): Rod[] => others.flatMap(({ rods, worldFromLink: worldFromOther }) => moved(rods, inverse(worldFromLink).multiply(worldFromOther)));
 
 function findLinks(robot: RobotRecord): Link[] {
   const tree = new Tree(robot.joints);
@@ -80,7 +86,7 @@ function findLinks(robot: RobotRecord): Link[] {
     const worldFromLink = tree.worldFromLink[index]!;
     const rods = shapes.flatMap((shape) => (shape.kind === "capsule" ? [rodOf(shape)] : []));
     // A capsule begins at the end that is nearer to those before it.
-    const ends = before ? moved(before.rods, inverse(worldFromLink).multiply(before.worldFromLink)).flatMap(({ from, to }) => [from, to]) : [new Vector3()];
+    const ends = before ? seenFrom({ worldFromLink }, [before]).flatMap(({ from, to }) => [from, to]) : [new Vector3()];
     const away = (point: Vector3) => Math.min(...ends.map((end) => end.distanceTo(point)));
     for (const rod of rods) if (away(rod.to) < away(rod.from) - 1e-6) [rod.from, rod.to] = [rod.to, rod.from];
     const place = new Vector3().setFromMatrixPosition(worldFromLink);
@@ -99,10 +105,11 @@ function rodOf({ pose, length, radius }: Extract<Solid, { length: number }>): Ro
 }
 
 /** Returns how the tool looks from the frame of a link, if that link or one fixed to it carries the tool. */
-function findHeld(tool: Head["tool"], meshes: MeshRecord[], links: Link[], link: Link): Held | null {
-  if (tool.link === null) return null;
+function findHeld(tool: Head["tool"], meshes: MeshRecord[], { joints }: RobotRecord, links: Link[], link: Link): Held | null {
+  let index = tool.link ?? 0;
+  while (index > link.index && joints[index - 1]!.kind === "fixed") index = joints[index - 1]!.parent;
+  if (tool.link === null || index !== link.index) return null;
   const carrier = links[tool.link]!;
-  if (carrier !== link && carrier.before !== link) return null;
   const linkFromTool = inverse(link.worldFromLink).multiply(carrier.worldFromLink).multiply(matrix(tool.solid.pose));
   const geometry = geometryOf(tool.solid, meshes);
   geometry.computeBoundingBox();
@@ -116,16 +123,23 @@ function findHeld(tool: Head["tool"], meshes: MeshRecord[], links: Link[], link:
   };
 }
 
-/** Adds a casing with a ring. */
-function addCasing(add: Add, { from, to, radius }: Rod): void {
+/** Adds a casing with a ring. `near`: capsules of the links beside it. */
+function addCasing(add: Add, { from, to, radius }: Rod, near: readonly Rod[]): void {
   const way = to.clone().sub(from);
   const half = way.length() / 2;
   const at = alongAxis(half > 0 ? way : new Vector3(0, 0, 1), from.clone().lerp(to, 0.5));
-  // Widest at a third, and slim at both ends, where the joints' housings are.
-  const radiusAt = (share: number) => radius * (END_SHARE + (WIDE_SHARE - END_SHARE) * Math.sin(Math.PI * Math.min(1, Math.max(0, share)) ** 0.7) ** 0.8 - 0.06 * share);
+  // Widest at a third, and slim at both ends, where the joints' housings are; a short one is not slim.
+  const slim = Math.min(1, (2 * half) / radius);
+  const radiusAt = (share: number) => radius * (WIDE_SHARE - (WIDE_SHARE - END_SHARE) * slim * (1 - Math.sin(Math.PI * Math.min(1, Math.max(0, share)) ** 0.7) ** 0.8) - 0.06 * share);
+  // It reaches as far as its capsule where the next capsule begins beyond its end.
+  const reaches = (end: -1 | 1) => {
+    const [tip, out] = end > 0 ? [to, way] : [from, way.clone().negate()];
+    const [next] = near.flatMap((rod) => [rod.from, rod.to]).sort((a, b) => a.distanceTo(tip) - b.distanceTo(tip));
+    return next !== undefined && next.clone().sub(tip).dot(out) > 0.3 * radius * out.length();
+  };
   const cap = (end: -1 | 1, r: number) => Array.from({ length: 4 }, (_, i): Profile[number] => {
     const angle = (Math.PI / 2) * (end < 0 ? i / 4 : 1 - (i + 1) / 4);
-    return [r * Math.sin(angle), end * (half + 0.6 * r * Math.cos(angle))];
+    return [r * Math.sin(angle), end * (half + (reaches(end) ? 0.95 * radius : 0.6 * r) * Math.cos(angle))];
   });
   const profile = [...cap(-1, radiusAt(0)), ...Array.from({ length: 15 }, (_, i): Profile[number] => [radiusAt(i / 14), half * (i / 7 - 1)]), ...cap(1, radiusAt(1))];
   add("casing", turn(profile), at);
@@ -138,13 +152,16 @@ function addCasing(add: Add, { from, to, radius }: Rod): void {
 const isRoll = ({ axis }: JointRecord, link: Link) => seatOf(new Vector3(...axis), link) !== null;
 
 /** Returns where a collar sits on the axis of a joint that turns a capsule about itself; null for other joints. */
-function seatOf(axis: Vector3, { rods, before, worldFromLink }: Link): { z: number; radius: number } | null {
+function seatOf(axis: Vector3, link: Link): { z: number; radius: number } | null {
+  const { rods, before } = link;
   const own = rods.find(({ from, to, radius }) => Math.abs(to.clone().sub(from).normalize().dot(axis)) > PARALLEL && from.clone().cross(axis).length() < 0.3 * radius);
   if (own) return { z: own.from.dot(axis) + Math.sign(own.to.clone().sub(own.from).dot(axis)) * -0.1 * own.radius, radius: 0.7 * own.radius };
-  if (!before || before.trunk || rods.length) return null;
-  for (const { from, to, radius } of moved(before.rods, inverse(worldFromLink).multiply(before.worldFromLink))) {
+  if (!before || before.trunk) return null;
+  for (const { from, to, radius } of seenFrom(link, [before])) {
     const way = to.clone().sub(from).normalize().dot(axis);
-    if (Math.abs(way) > PARALLEL) return { z: to.dot(axis) - Math.sign(way) * 0.55 * radius, radius: 0.64 * radius };
+    // Where the link's origin is far from the capsule, the next one meets it at its end.
+    const [inwards, share] = to.length() > 1.5 * radius ? [-0.45, 0.56] : [0.55, 0.64];
+    if (Math.abs(way) > PARALLEL) return { z: to.dot(axis) - Math.sign(way) * inwards * radius, radius: share * radius };
   }
   return null;
 }
@@ -159,8 +176,10 @@ function addHousing(add: Add, joint: JointRecord, link: Link): void {
     add("joint", turn([[0, -w], [r * 0.94, -w], [r, -0.6 * w], [r, 0.6 * w], [r * 0.94, w], [0, w]]), alongAxis(axis, axis.clone().multiplyScalar(seat.z)));
     return;
   }
-  const { room, along } = findRoom(axis, link);
+  const near = seenFrom(link, [link.before!, ...(link.rods.length ? [] : link.after)]);
+  const { room, along } = findRoom(axis, [...near, ...link.rods]);
   if (room < LEAST_ROOM_M) return;
+  addAxle(add, axis, findRoom(axis, near), findRoom(axis, link.rods));
   const reach = room + OUT_M;
   // Where two axes cross, the second drum is thinner and longer.
   const [r, h] = link.crossed ? [0.6 * reach, 0.79 * reach] : [0.76 * reach, 0.64 * reach];
@@ -180,14 +199,26 @@ function addDrum(add: Add, at: Matrix4, r: number, h: number): void {
   }
 }
 
-/** Returns the place on an axis with the most room inside the capsules of the link and its neighbours, if the joint's origin lacks it. */
-function findRoom(axis: Vector3, { rods, before, after, worldFromLink }: Link): { room: number; along: number } {
-  const linkFromWorld = inverse(worldFromLink);
-  const near = [...(before ? [before] : []), ...(rods.length ? [] : after)].flatMap((other) => moved(other.rods, linkFromWorld.clone().multiply(other.worldFromLink)));
-  const roomAt = (along: number) => Math.max(...[...near, ...rods].map((rod) => -distanceTo(rod, along * axis.x, along * axis.y, along * axis.z)));
+interface Room {
+  room: number;
+  along: number;
+}
+
+/** Returns the place on an axis with the most room inside capsules [m], if the joint's origin lacks it. */
+function findRoom(axis: Vector3, rods: readonly Rod[]): Room {
+  const roomAt = (along: number) => Math.max(-1, ...rods.map((rod) => -distanceTo(rod, along * axis.x, along * axis.y, along * axis.z)));
   const best = { room: roomAt(0), along: 0 };
   for (let along = -0.3; along <= 0.3; along += 0.01) if (roomAt(along) > best.room / 0.75 + 1e-3) Object.assign(best, { room: roomAt(along), along });
   return best;
+}
+
+/** Adds an axle between two links that lie beside each other on their joint's axis and almost touch. */
+function addAxle(add: Add, axis: Vector3, one: Room, other: Room): void {
+  const length = Math.abs(one.along - other.along);
+  const least = Math.min(one.room, other.room);
+  if (least < LEAST_ROOM_M || length < least || length > one.room + other.room + OUT_M) return;
+  const r = 0.5 * least;
+  add("joint", turn([[r, -length / 2], [r, length / 2]]), alongAxis(axis, axis.clone().multiplyScalar((one.along + other.along) / 2)));
 }
 
 /** Returns a shell round capsules, cut to shares of the box around them. `edge`: radius of its edges, as a share of its least size. */
@@ -216,9 +247,12 @@ function addPanels(add: Add, shell: Shell, panels: readonly Panel[], depth: numb
   for (const [azimuths, heights] of panels) add("casing", makePatch(shell, 0, azimuths, heights, Math.PI / 15));
 }
 
-/** Adds a base or a chest: its foot stays dark. */
-function addTrunk(add: Add, { rods, worldFromLink }: Link): void {
-  addPanels(add, shellOf(rods, worldFromLink, [0.94, 0.9, 0.95], 0.5), [[inFront(0.75), [-0.62, 0.5]], [behind(0.75), [-0.62, 0.5]], [ROUND, [0.53, 1]]], 0.008);
+/** Adds a base or a chest, whose foot stays dark; returns whether the shapes surround their middle, as a shell must. */
+function addTrunk(add: Add, { rods, worldFromLink }: Link): boolean {
+  const shell = shellOf(rods, worldFromLink, [0.94, 0.9, 0.95], 0.5);
+  if (!shell.rods.some((rod) => distanceTo(rod, 0, 0, 0) < -0.5 * rod.radius)) return false;
+  addPanels(add, shell, [[inFront(0.75), [-0.62, 0.5]], [behind(0.75), [-0.62, 0.5]], [ROUND, [0.53, 1]]], 0.008);
+  return true;
 }
 
 /** Adds a head with a dark visor and two cameras. */

@@ -1,7 +1,7 @@
 // The end of an arm: a hand with fingers round the handle of the tool, or, where there is no room for one, a gripper's jaws.
 import { BoxGeometry, CapsuleGeometry, Matrix4, SphereGeometry, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
-import { alongAxis, turn } from "./shell.ts";
+import { Z, alongAxis, turn } from "./shell.ts";
 import type { Add } from "./body.ts";
 import type { Rod } from "./shell.ts";
 
@@ -24,7 +24,8 @@ const block = (...[x, y, z, edge]: [number, number, number, number]) => new Roun
 
 /** Adds what holds a tool, or an empty hand, at the end of an arm; all lengths are shares of the capsule's radius. */
 export function addGrip(add: Add, rod: Rod, held: Held | null, left: boolean): void {
-  const ahead = rod.to.clone().sub(rod.from).normalize();
+  const way = rod.to.clone().sub(rod.from);
+  const ahead = way.lengthSq() > 0 ? way.normalize() : Z.clone();
   const far = held ? held.back.clone().sub(rod.to).dot(ahead) : Infinity;
   const handy = far > ROOM_FOR_HAND * rod.radius;
   // The palm lies on the side to which the tool's back faces; the jaws, at its narrower sides.
