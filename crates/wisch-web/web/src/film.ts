@@ -145,6 +145,7 @@ export function makeFilm(stage: Stage, recording: Recording, clock: Clock): { el
     }
     for (const busy of [cancel, progress]) busy.hidden = false;
     clip.hidden = true;
+    say(said, `Recording ${clockText(to - from, 0)} at ${speed}\u00d7.`);
     // The first picture is there before the clock runs.
     const begun = take;
     last = from;
@@ -173,7 +174,6 @@ export function makeFilm(stage: Stage, recording: Recording, clock: Clock): { el
     const step = clock.time - last;
     last = clock.time;
     progress.value = (clock.time - from) / (to - from);
-    say(said, `Recording ${clockText(clock.time - from, 0)} of ${clockText(to - from, 0)} at ${speed}\u00d7.`);
     if (clock.time >= to - 1e-6) void finish(take);
     else if (!clock.playing || clock.speed !== speed || step < 0 || step > JUMP_S * speed) end("The recording was cancelled, because the clock was changed.");
   });
