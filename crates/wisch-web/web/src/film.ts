@@ -8,7 +8,7 @@ import { estimateText, headlineOf } from "./words.ts";
 
 const TYPES = ["video/webm;codecs=vp8", "video/webm"];
 const BITS_PER_SECOND = 5e6;
-/** How long the last picture stays, so that the result can be read, and time between its copies [ms]. */
+/** How long the last picture stays, so that the result can be read, and time between its copies: an encoder that lags drops the end [ms]. */
 const HOLD_MS = 1500;
 const COPY_MS = 100;
 /** A longer step of the clock at speed 1 is a jump [s]. */
@@ -90,21 +90,24 @@ class Take {
   /** Ends the recording; returns the clip and its duration without the time of its last picture [s]. */
   async finish(): Promise<{ clip: Blob; took: number }> {
     const took = (performance.now() - this.begun) / 1000;
-    const copies = setInterval(() => {
-      this.pen.drawImage(this.canvas, 0, 0);
+    // The stream takes pictures only in animation frames, and only of a canvas that is drawn on: here on a corner of the title.
+    this.pen.fillStyle = colour("paper");
+    for (const until = performance.now() + HOLD_MS; performance.now() < until;) {
+      await new Promise((done) => setTimeout(() => requestAnimationFrame(done), COPY_MS));
+      this.pen.fillRect(0, 0, 1, 1);
       this.track.requestFrame();
-    }, COPY_MS);
-    await new Promise((done) => setTimeout(done, HOLD_MS));
-    clearInterval(copies);
+    }
     await this.stop();
     return { clip: new Blob(this.chunks, { type: "video/webm" }), took };
   }
 
   stop(): Promise<void> {
     if (this.recorder.state === "inactive") return Promise.resolve();
-    const stopped = new Promise<void>((done) => this.recorder.addEventListener("stop", () => done()));
+    const stopped = new Promise<void>((done) => this.recorder.addEventListener("stop", () => {
+      this.track.stop();
+      done();
+    }));
     this.recorder.stop();
-    this.track.stop();
     return stopped;
   }
 }

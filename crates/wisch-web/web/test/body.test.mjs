@@ -86,7 +86,7 @@ test("a robot with visual shapes looks as they do", () => {
   const [first, second] = head.robot.links.filter(({ shapes }) => shapes.length);
   Object.assign(first, { visual: true, collision: first.shapes, shapes: first.shapes.slice(0, 1) });
   const made = new Robot(head, head.meshes, materials);
-  const meshes = made.limbs.flatMap(({ children }) => children);
+  const meshes = made.links.flatMap(({ children }) => children);
   assert.equal(meshes.length, head.robot.links.reduce((sum, { shapes }) => sum + shapes.length, 0));
   assert.equal(collisionOf(first).length, 6);
   assert.equal(collisionOf(second), second.shapes);

@@ -62,7 +62,7 @@ test("the first view is of the surface, and the arm does not hide the tool at a 
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(...middle.clone().project(camera).toArray().slice(0, 2)), camera);
     // What holds the tool covers its back from every side.
-    const [first] = ray.intersectObjects([...robot.limbs.filter((_, i) => i !== recording.head.tool.link), robot.tool], true);
+    const [first] = ray.intersectObjects([...robot.links.filter((_, i) => i !== recording.head.tool.link), robot.tool], true);
     assert.equal(first?.object, robot.tool, `hidden at stroke ${stroke.stroke + 1}`);
   }
 });

@@ -1,6 +1,6 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
-import type { BufferGeometry, Material, Object3D } from "three";
+import type { BufferGeometry, Material } from "three";
 import { makeBody } from "./body.ts";
 import type { Finish } from "./body.ts";
 import { geometryOf, matrix } from "./solids.ts";
@@ -48,7 +48,8 @@ export class Robot {
   readonly group = new Group();
   readonly tool: Mesh;
   private readonly tree: Tree | null;
-  private readonly links: Group[] = [];
+  /** One group for each link. */
+  readonly links: Group[] = [];
   private readonly collision: Mesh[] = [];
   private readonly linkFromTool: Matrix4;
   private readonly parts: Part[][];
@@ -110,11 +111,6 @@ export class Robot {
   /** Number of triangles of the robot and its tool, without collision shapes. */
   get triangles(): number {
     return [this.tool.geometry, ...this.parts.flat().map(({ geometry }) => geometry)].reduce((sum, { index, attributes }) => sum + (index?.count ?? attributes.position!.count) / 3, 0);
-  }
-
-  /** What can hide something. */
-  get limbs(): Object3D[] {
-    return this.links;
   }
 
   /** Draws the robot over what lies behind it, as it must be while it is translucent. */
