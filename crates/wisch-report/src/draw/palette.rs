@@ -23,7 +23,7 @@ const COLOURS: [(&str, &str, &str); 43] = [
     ("found", "#0e6e53", "#2fb280"),
     ("good", "#00694d", "#5fdcb2"),
     ("bad", "#9b2218", "#ff9d94"),
-    ("node", "#d0390b", "#ff7a45"),
+    ("node", "#db3900", "#ff8820"),
     ("goal", "#f0c800", "#6b5f0c"),
     ("goal-line", "#6a4000", "#f6cd8f"),
     ("target", "#6a4000", "#f6cd8f"),

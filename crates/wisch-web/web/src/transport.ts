@@ -6,7 +6,8 @@ import { icon } from "./icons.ts";
 import { KEYS, nextStop } from "./keys.ts";
 import type { Recording } from "./store.ts";
 
-export function makeTransport(clock: Clock, recording: Recording): { element: HTMLElement; show(): void } {
+/** Returns the buttons. `more`: an element at their end. */
+export function makeTransport(clock: Clock, recording: Recording, more: HTMLElement | null): { element: HTMLElement; show(): void } {
   const play = el("button", { class: "w-button w-play", type: "button", click: () => clock.toggle() });
   const stop = (way: 1 | -1) => el("button", {
     class: "w-button w-icon", type: "button",
@@ -34,7 +35,7 @@ export function makeTransport(clock: Clock, recording: Recording): { element: HT
   };
   show();
   return {
-    element: el("div", { class: "w-transport", role: "group", "aria-label": "Playback" }, play, stop(-1), stop(1), live, time, speed, help),
+    element: el("div", { class: "w-transport", role: "group", "aria-label": "Playback" }, play, stop(-1), stop(1), live, time, speed, more, help),
     show,
   };
 }

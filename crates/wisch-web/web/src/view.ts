@@ -1,9 +1,10 @@
 // A view of a recording: scene, details, clock and timeline.
 import { Clock } from "./clock.ts";
 import { clockText, el } from "./dom.ts";
+import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
-import { colour } from "./theme.ts";
+import { colour, onTheme } from "./theme.ts";
 import { askedColour } from "./scene/asked.ts";
 import type { Camera } from "./scene/camera.ts";
 import type { ShownParticles } from "./scene/asked.ts";
@@ -67,7 +68,8 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   });
   const timeline = new Timeline(recording, clock, compact, (interval) => panel.stage?.select(interval));
   const words = compact ? null : new Words(recording, clock, (choice) => panel.choose(choice));
-  const bar = makeTransport(clock, recording);
+  const film = panel.stage && !compact ? makeFilm(panel.stage, recording, clock) : null;
+  const bar = makeTransport(clock, recording, film?.element ?? null);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
   root.append(element);
@@ -75,6 +77,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {
     words?.show();
     bar.show();
+    film?.show();
   });
   const show = () => {
     panel.show(clock.time);
@@ -88,6 +91,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
+    onTheme(() => name()),
     listenKeys(element, clock, recording, (key) => {
       if (key === "f") panel.look("all");
       else if (key === "v") panel.look("above");
@@ -149,6 +153,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
     destroy: () => {
       frames.drop(show);
       texts.stop();
+      film?.destroy();
       for (const stop of stops) stop();
       panel.destroy();
       timeline.destroy();

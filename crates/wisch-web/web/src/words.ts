@@ -42,6 +42,14 @@ export function endText({ rounds, ended }: Recording, { number, plan: { kind }, 
   return (isLast ? ended?.badge : null) ?? interpreted.verdict;
 }
 
+/** Returns the phase of a time and its stroke; at the end of a round, its result. */
+export function headlineOf(recording: Recording, { round, time, phase: index }: Instant): string {
+  if (time >= round.length - 1e-6 && round.interpreted) return endText(recording, round);
+  const phase = round.plan.phases[index];
+  const stroke = typeof phase?.stroke === "number" ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
+  return `${phase ? phaseText(phase.name) : "starting"}${stroke}`;
+}
+
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
 /** What replaces plan and result of an episode that was kept without a recording. */
@@ -117,12 +125,8 @@ export class Words {
       return;
     }
     const { round, time, normal, height, performance, contact } = instant;
-    const phase = round.plan.phases[instant.phase];
     const rounds = recording.rounds.length;
-    const over = time >= round.length - 1e-6 && round.interpreted;
-    const state = over ? endText(recording, round) : phase ? phaseText(phase.name) : "starting";
-    const stroke = !over && phase?.stroke !== null && phase?.stroke !== undefined ? ` \u00b7 stroke ${phase.stroke + 1} of ${round.plan.strokes.length}` : "";
-    say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : `${state}${stroke}`));
+    say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : headlineOf(recording, instant)));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));

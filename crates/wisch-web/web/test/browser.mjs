@@ -1,4 +1,4 @@
-// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures]`; CASE=part of a name runs few. It prints times, and asserts only that they
+// Drives the page in a real Chromium: `node test/browser.mjs [folder for pictures [part of a case's name]]`. It prints times, and asserts only that they
 // are below five times their targets, so that a busy machine does not fail it.
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -20,7 +20,7 @@ const note = (name, value, unit, wanted) => figures.push([name, `${value} ${unit
 const show = (name, recording, options) => openPage(name, reportPage(recording), options);
 
 /** Opens a page; collects its console errors and its requests. */
-async function openPage(name, html, { width = 1440, height = 900, hash = "", ...options } = {}) {
+async function openPage(name, html, { width = 1440, height = 900, hash = "", before = () => {}, ...options } = {}) {
   const file = join(folder, `${name}.html`);
   writeFileSync(file, html);
   const page = await browser.newPage({ viewport: { width, height }, ...options });
@@ -28,6 +28,7 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", ...
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
   page.on("pageerror", (error) => complaints.push(error.stack));
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`); });
+  await page.addInitScript(before);
   await page.addInitScript(() => {
     const look = () => {
       if (window.wisch?.view?.frames > 0) window.firstFrame = performance.now();
@@ -38,6 +39,27 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", ...
   await page.goto(pathToFileURL(file).href + hash);
   return { page, complaints, picture: (shot) => pictures && page.screenshot({ path: join(pictures, `${shot}.png`) }) };
 }
+
+/** Opens the studio with a server that answers from `overview`, `recordings` by episode, and `answers`. */
+async function openStudio(hash, overview, recordings, answers, viewport = { width: 1440, height: 900 }) {
+  const page = await browser.newPage({ viewport });
+  const complaints = [];
+  page.on("pageerror", (error) => complaints.push(error.stack));
+  await page.route("http://studio.invalid/**", (route) => {
+    const path = new URL(route.request().url()).pathname.slice(1);
+    const id = /^api\/episodes\/(.*)\/recording$/.exec(path)?.[1];
+    if (path === "") return route.fulfill({ contentType: "text/html", body: studioPage() });
+    if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
+    if (id) return route.fulfill({ contentType: "application/x-ndjson", body: recordings[id] });
+    const words = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
+    return route.fulfill({ json: path === "api/ask" ? answers : path === "api/vocabulary" ? words : overview });
+  });
+  await page.goto(`http://studio.invalid/${hash}`);
+  return { page, complaints };
+}
+
+const overviewOf = (episodes) => ({ memory: "m", list: { episodes, total: episodes.length, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } });
+const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", collisions: 0, has_recording: true, ...more });
 
 const time = (page) => page.evaluate(() => wisch.view.clock.time);
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -62,6 +84,7 @@ const cases = {
     assert.match(rows[0], /0\.76\t100\u202f%\t0\u202f%\t0\.94 m\t17 s$/);
     assert.ok(await page.evaluate(() => document.querySelector(".w-choice").scrollWidth <= document.querySelector(".w-choice").clientWidth), "the table is cut off");
     assert.match(rows[2], /no plan: no way leads to the goal$/);
+    assert.match(await page.locator(".w-layers").innerText(), /Collision shapes \(the robot's shell is drawn from them\)/);
     // What arrives later takes the focus from no button.
     const copy = page.locator(".w-command button");
     await copy.focus();
@@ -551,6 +574,54 @@ const cases = {
     }
   },
 
+  async "a run is recorded as a video of the right duration"() {
+    const { page, complaints, picture } = await show("film", whole);
+    await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
+    await page.waitForFunction(() => window.firstFrame);
+    await page.getByText("Film", { exact: true }).click();
+    const said = page.locator(".w-film p");
+    await page.getByRole("button", { name: "Record at 1\u00d7" }).click();
+    await page.waitForFunction(() => document.querySelector(".w-film progress").value > 0.02);
+    assert.match(await said.innerText(), /^Recording \d+ s at 1\u00d7\.$/);
+    await page.getByRole("button", { name: "Cancel" }).click();
+    assert.match(await said.innerText(), /cancelled/);
+    assert.deepEqual(await page.evaluate(() => [wisch.view.clock.playing, document.querySelector(".w-film progress").hidden, document.querySelector(".w-film a").hidden]), [false, true, true]);
+    await page.evaluate(() => wisch.view.clock.setSpeed(2));
+    await page.getByLabel("Part of the run").selectOption("Round 2");
+    await page.getByRole("button", { name: "Record at 2\u00d7" }).click();
+    const link = page.getByRole("link", { name: "Save the clip" });
+    await link.waitFor({ timeout: 60_000 });
+    const [words, name] = [await said.innerText(), await link.getAttribute("download")];
+    const { wanted, clip } = await page.evaluate(async () => {
+      const blob = await (await fetch(document.querySelector(".w-film a").href)).blob();
+      const video = document.createElement("video");
+      video.muted = true;
+      video.src = URL.createObjectURL(blob);
+      // A recorded stream states no duration; its last picture does.
+      await new Promise((done) => { video.onloadedmetadata = done; });
+      video.currentTime = 1e6;
+      await new Promise((done) => { video.onseeked = done; });
+      const { start, end } = wisch.recording.rounds[1];
+      return { wanted: (end - start) / 2, clip: { size: blob.size, type: blob.type, duration: video.duration, width: video.videoWidth, height: video.videoHeight, canvas: document.querySelector(".w-canvas").clientWidth } };
+    });
+    assert.match(words, /^\d+\.\d s at 2\u00d7, \d+\.\d MB\./);
+    assert.equal(name, "Breadcrumbs-on-a-chopping-board.webm");
+    assert.equal(clip.type, "video/webm");
+    assert.ok(clip.size > 20_000 && clip.height > 200, JSON.stringify(clip));
+    near(clip.width, clip.canvas, 1);
+    note("film", clip.duration.toFixed(1), "s of video", `${(wanted + 1.5).toFixed(1)} with its last picture`);
+    // On a busy machine the first picture stands until the encoder has started.
+    near(clip.duration, wanted + 2.2, 1.5);
+    await picture("film");
+    assert.deepEqual(complaints, []);
+    await page.close();
+    const bare = await show("film-without", whole, { before: () => { delete window.MediaRecorder; } });
+    await bare.page.getByText("Film", { exact: true }).click();
+    assert.match(await bare.page.locator(".w-film p").innerText(), /cannot record video/);
+    assert.ok(await bare.page.locator(".w-film button").first().isDisabled());
+    await bare.page.close();
+  },
+
   async "queried data is drawn, listed and removed"() {
     const { page, complaints, picture } = await show("asked", whole, { hash: "#t=9.5" });
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
@@ -780,8 +851,7 @@ const cases = {
       [first]: whole,
       [second]: lines(parts.filter(({ round = 1 }) => round <= 1).map((one) => (one.piece === "head" ? { ...one, task: { ...one.task, tool: "cloth" } } : one))),
     };
-    const listed = (id) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", collisions: 0, has_recording: true });
-    const overview = { memory: "m", list: { episodes: [first, second].map(listed), total: 2, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } };
+    const overview = overviewOf([first, second].map((id) => listed(id)));
     const shown = { episode: first, round: 1, strong: false, colour: null };
     const answers = {
       columns: ["M"], units: [null], names: {}, rows: [[1003]], about: [[{ episode: first, task: "board", begun: 1000, class: "HumanCollision", interval: [1002, 1004] }]], holds: true, more: false, printed: "", remarks: [],
@@ -791,19 +861,7 @@ const cases = {
         bodies: [{ ...shown, thing: "semco:robot", kind: "robot", time: 1003, pose: [0, 0, 0, 0, 0, 0, 1] }],
       },
     };
-    const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
-    const complaints = [];
-    page.on("pageerror", (error) => complaints.push(error.stack));
-    await page.route("http://studio.invalid/**", (route) => {
-      const path = new URL(route.request().url()).pathname.slice(1);
-      const id = /^api\/episodes\/(.*)\/recording$/.exec(path)?.[1];
-      if (path === "") return route.fulfill({ contentType: "text/html", body: studioPage() });
-      if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
-      if (id) return route.fulfill({ contentType: "application/x-ndjson", body: recordings[id] });
-      const words = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
-      return route.fulfill({ json: path === "api/ask" ? answers : path === "api/vocabulary" ? words : overview });
-    });
-    await page.goto(`http://studio.invalid/#compare=${first},${second}`);
+    const { page, complaints } = await openStudio(`#compare=${first},${second}`, overview, recordings, answers);
     await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.frames > 0));
     await page.evaluate(() => wisch.stage.shown[1].view.seek(3));
     assert.deepEqual(await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.clock.time)), [3, 3], "one clock");
@@ -846,6 +904,26 @@ const cases = {
     await page.close();
   },
 
+  async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
+    const id = "20261122-010000-abcd";
+    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", collisions: 2 })]), { [id]: whole }, null, { width: 3840, height: 2160 });
+    await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
+    const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
+    assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
+    assert.ok(view.y + view.height <= 2161 && view.y + view.height > 2000, `the view ends at ${view.y + view.height}`);
+    assert.ok(side.width > 450 && side.width < 900, `the list is ${side.width} pixels wide`);
+    assert.deepEqual(await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight].map((more) => more <= 0)), [true, true]);
+    const box = await page.locator(".w-timeline").boundingBox();
+    const zoom = await page.evaluate(() => document.querySelector(".w-timeline").currentCSSZoom);
+    await page.mouse.click(box.x + zoom * 112 + 0.5 * (box.width - zoom * (112 + 22)), box.y + 60);
+    const { duration, at } = await page.evaluate(() => ({ duration: wisch.recording?.duration ?? wisch.stage.shown[0].recording.duration, at: wisch.stage.time }));
+    near(at, 0.5 * duration, 0.1);
+    assert.match(await page.locator(".s-list .s-what").innerText(), /2 pushes \u00b7 no progress$/);
+    if (pictures) await page.screenshot({ path: join(pictures, "studio-large.png") });
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
   async "a recording of an hour can be dragged through"() {
     const began = performance.now();
     const { page, complaints, picture } = await show("hour", lines(hour()));
@@ -876,8 +954,8 @@ const cases = {
 };
 
 let failed = 0;
-const wanted = process.env.CASE;
-for (const [name, run] of Object.entries(cases).filter(([name]) => !wanted || name.includes(wanted))) {
+for (const [name, run] of Object.entries(cases)) {
+  if (!name.includes(process.argv[3] ?? "")) continue;
   try {
     await run();
     console.log(`ok ${name}`);

@@ -5,14 +5,19 @@ import { REACH_BANDS } from "../src/bases.ts";
 import { LEAST_LIGHT } from "../src/scene/grains.ts";
 import { BLINDNESS, blend, contrast, difference, differenceOfLab, lit, seenWith } from "./colours.mjs";
 
-const css = readFileSync("src/style/page.css", "utf8");
-const blocks = [...css.matchAll(/\{([^{}]*--paper:[^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, name, value]) => [name, value])))
+const colourBlocks = (css, name) => [...css.matchAll(/\{([^{}]*)\}/g)].map(([, block]) => Object.fromEntries([...block.matchAll(/--([\w-]+):\s*(#[0-9a-f]{6})\b/g)].map(([, each, value]) => [each, value])))
   // System colours have no values.
-  .filter(({ paper }) => paper);
+  .filter((colours) => colours[name]);
+const blocks = colourBlocks(readFileSync("src/style/page.css", "utf8"), "paper");
+/** Colours of the two compared recordings of the studio, and those of the figures by their names. */
+const compared = colourBlocks(readFileSync("src/studio/studio.css", "utf8"), "first");
+const figures = [...readFileSync("../../wisch-report/src/draw/palette.rs", "utf8").matchAll(/\("([\w-]+)", "(#[0-9a-f]{6})", "(#[0-9a-f]{6})"\)/g)];
+blocks.forEach((colours, i) => Object.assign(colours, compared[i], { node: figures.find(([, name]) => name === "node")[2 + i] }));
 const THEMES = [["light", blocks[0]], ["dark", blocks[1]]];
 
 /** WCAG 2.2: contrast of 4.5 for text, and of 3 for marks with a meaning. */
-const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"], ["target", "card"]];
+const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"], ["target", "card"], ["paper", "first"], ["paper", "second"]];
+const TRACKS = [1, 2, 3, 4, 5, 6].map((i) => `track-${i}`);
 const MARK_CONTRAST = 3;
 /** Least differences (CIEDE2000) of marks: for all eyes, and for those of the three common colour blindnesses. */
 const APART = 20;
@@ -36,6 +41,7 @@ const LIES_ON = {
   collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
   "force-little": ["board", "scene"], "force-target": ["board", "scene"], "force-much": ["board", "scene"],
   tool: ["board", "scene"], stroke: ["board", "picture"], rejected: ["board", "scene"], quiet: ["scene"], ink: ["scene"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
+  first: ["lanes"], second: ["lanes"], node: ["picture"], ...Object.fromEntries(TRACKS.map((track) => [track, ["board", "scene", "lanes"]])),
 };
 
 /** Marks of different meaning that appear in the same place. */
@@ -46,11 +52,14 @@ const PLACES = {
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],
   "lane of contact": ["contact", "pushed", "cursor"],
+  "queried trajectories": [...TRACKS, "contact", "lifted", "pushed"],
+  "curves of compared recordings": ["first", "second", "target", "cursor"],
+  "figures of a plan": ["node", "believed", "estimated", "actual", "goal-line", "tool"],
   "lane of force": ["force", "collision", "pushed", "target", "cursor"],
 };
 
 /** Names that mean the same, and so have one colour. */
-const SAME = [["hand", "pushed"], ["found", "estimated"], ["stroke", "believed"], ["goal-line", "target"]];
+const SAME = [["hand", "pushed"], ["found", "estimated"], ["stroke", "believed"], ["goal-line", "target"], ["node", "contact"]];
 
 test("the difference of colours is that of the published pairs", () => {
   // Sharma, Wu and Dalal (2005), table 1, pairs 1, 7, 17, 25 and 34.
@@ -122,8 +131,6 @@ test("each band of the base poses differs from the next, for all eyes", () => {
 });
 
 test("figures and page have the same colours by the same names", () => {
-  const rust = readFileSync("../../wisch-report/src/draw/palette.rs", "utf8");
-  const figures = [...rust.matchAll(/\("([\w-]+)", "(#[0-9a-f]{6})", "(#[0-9a-f]{6})"\)/g)];
   const [common, other] = [[], []];
   for (const [, name, light, dark] of figures) {
     if (!blocks[0][name]) continue;

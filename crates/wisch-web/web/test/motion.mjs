@@ -8,7 +8,7 @@ const TOLERANCE_M = 2e-3;
 
 const source = (name) => fileURLToPath(new URL(`../src/${name}`, import.meta.url));
 const { outputFiles } = await build({
-  stdin: { contents: `export { Recording } from ${JSON.stringify(source("store.ts"))}; export { Tree } from ${JSON.stringify(source("scene/robot.ts"))}; export { matrix } from ${JSON.stringify(source("scene/solids.ts"))}; export { Vector3 } from "three";`, resolveDir: source("") },
+  stdin: { contents: `export { Recording } from ${JSON.stringify(source("store.ts"))}; export { Tree } from ${JSON.stringify(source("scene/tree.ts"))}; export { matrix } from ${JSON.stringify(source("scene/solids.ts"))}; export { Vector3 } from "three";`, resolveDir: source("") },
   bundle: true, format: "esm", write: false, platform: "node", logLevel: "warning",
 });
 const { Recording, Tree, matrix, Vector3 } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);

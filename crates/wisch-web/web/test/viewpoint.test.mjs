@@ -23,7 +23,7 @@ const angles = { high, wide: high * ASPECT };
 function open(pieces) {
   const recording = Recording.parse(lines(pieces));
   const look = new MeshBasicMaterial();
-  const robot = new Robot(recording.head, recording.meshes, { body: [look, look], arm: [look, look], hand: look, ring: look, collision: look, tool: look, coloured: () => look });
+  const robot = new Robot(recording.head, recording.meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look });
   const [round] = recording.rounds;
   const still = new Still(round, recording);
   const shots = new Shots(recording, robot, still);
@@ -51,7 +51,7 @@ function covered(points) {
 const corners = ({ plan: { surface } }) => [0, 2, 4, 6].map((i) => new Vector3(surface.rings[0][i] / 1e4, surface.rings[0][i + 1] / 1e4, 0).add(new Vector3(...surface.pose)));
 
 test("the first view is of the surface, and the arm does not hide the tool at a stroke", () => {
-  const { robot, round, shots, stand, place } = open(sample());
+  const { recording, robot, round, shots, stand, place } = open(sample());
   place(shots.surface());
   const { share, out } = covered(corners(round));
   assert.ok(share >= 0.12, `the surface covers ${share.toFixed(3)} of the picture`);
@@ -61,7 +61,8 @@ test("the first view is of the surface, and the arm does not hide the tool at a 
     const middle = robot.toolPlace.addScaledVector(new Vector3(0, 0, 1), 0.02);
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(...middle.clone().project(camera).toArray().slice(0, 2)), camera);
-    const [first] = ray.intersectObjects([...robot.limbs, robot.tool], true);
+    // What holds the tool covers its back from every side.
+    const [first] = ray.intersectObjects([...robot.links.filter((_, i) => i !== recording.head.tool.link), robot.tool], true);
     assert.equal(first?.object, robot.tool, `hidden at stroke ${stroke.stroke + 1}`);
   }
 });

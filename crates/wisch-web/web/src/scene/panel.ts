@@ -5,6 +5,7 @@ import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
 import { onTheme, isPrinting } from "../theme.ts";
 import { FORCES } from "./ribbon.ts";
+import { collisionOf, hasMadeBody } from "./robot.ts";
 import { LAYERS, Stage } from "./stage.ts";
 import type { Layers, Look } from "./stage.ts";
 import type { Recording } from "../store.ts";
@@ -103,7 +104,8 @@ export class ScenePanel {
     if (this.version === this.recording.version) return;
     this.version = this.recording.version;
     // Layers without data get no toggle.
-    const { rounds, observedBefore } = this.recording;
+    const { rounds, observedBefore, head } = this.recording;
+    const robot = head?.robot;
     const has: Record<keyof Layers, unknown> = {
       believed: rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0)),
       estimated: rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null),
@@ -117,9 +119,10 @@ export class ScenePanel {
       force: rounds.some(({ count }) => count > 0),
       events: this.recording.happenings.length > 0,
       found: rounds.some(({ interpreted }) => interpreted?.found != null),
-      collision: this.recording.head?.robot?.links.some(({ collision }) => collision?.length) ?? false,
+      collision: robot?.links.some((link) => collisionOf(link).length > 0) ?? false,
       actualSurface: rounds.some(({ truth }) => truth?.surface != null),
     };
+    if (robot && hasMadeBody(robot)) this.boxes.get("collision")?.querySelector("label")!.replaceChildren(mark("collision"), "Collision shapes (the robot's shell is drawn from them)");
     const treated = rounds.find(isTreated);
     if (this.stage && treated && !this.treats) this.nameMaps(treated);
     this.element.toggleAttribute("data-target", rounds.some(({ target }) => target !== null));

@@ -162,13 +162,18 @@ export interface ShownFrame {
   pose: Pose;
 }
 
-/** Colours of trajectories without a colour. */
-export const TRAJECTORY_COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+/** Number of colours of trajectories without a colour. */
+const TRACK_COLOURS = 6;
+
+/** Returns the name of the i-th default colour. */
+export const trackName = (i: number): string => `track-${(i % TRACK_COLOURS) + 1}`;
 
 export class Trajectories {
   readonly group = new Group();
+  private list: Trajectory[] = [];
 
   show(list: Trajectory[]): void {
+    this.list = list;
     disposeAll(this.group);
     list.forEach(({ points, samples, color }, i) => {
       // Drawn after the translucent highlight of the same path, and nearer than that path.
@@ -179,6 +184,10 @@ export class Trajectories {
       this.group.add(line);
       if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
+  }
+
+  paint(): void {
+    this.show(this.list);
   }
 }
 
@@ -226,4 +235,4 @@ export function disposeAll(group: Group): void {
 export const hexOr = (color: string | undefined, other: string): string => (color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : other);
 
 /** Returns `color` if it is a hexadecimal colour, else the i-th default colour. */
-export const safeColour = (color: string | undefined, i: number): string => hexOr(color, TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!);
+export const safeColour = (color: string | undefined, i: number): string => hexOr(color, colour(trackName(i)));

@@ -1,41 +1,21 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshLambertMaterial, TorusGeometry, Vector3 } from "three";
-import type { BufferGeometry, Material, Object3D } from "three";
+import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import type { BufferGeometry, Material } from "three";
+import { makeBody } from "./body.ts";
+import type { Finish } from "./body.ts";
 import { geometryOf, matrix } from "./solids.ts";
-import type { Head, JointRecord, MeshRecord, Pose, Rgba, Solid } from "../recording.ts";
+import { Tree } from "./tree.ts";
+import type { Head, MeshRecord, Pose, Rgba, RobotRecord, Solid } from "../recording.ts";
 
-/** Forward kinematics: world_from_link = world_from_parent * parent_from_joint * motion(axis, position), from root to tips. */
-export class Tree {
-  readonly worldFromLink: Matrix4[];
-  private readonly joints: (JointRecord & { parentFromJoint: Matrix4; direction: Vector3 })[];
-  private readonly motion = new Matrix4();
-
-  constructor(joints: JointRecord[]) {
-    this.joints = joints.map((joint) => ({ ...joint, parentFromJoint: matrix(joint.pose), direction: new Vector3(...joint.axis) }));
-    this.worldFromLink = Array.from({ length: joints.length + 1 }, () => new Matrix4());
-  }
-
-  /** Computes the poses of all links. */
-  update(root: Pose, q: ArrayLike<number>): void {
-    matrix(root, this.worldFromLink[0]);
-    this.joints.forEach(({ parent, parentFromJoint, direction, kind, offset, terms }, i) => {
-      let position = offset;
-      for (const [variable, factor] of terms) position += factor * (q[variable] || 0);
-      const worldFromChild = this.worldFromLink[i + 1]!.multiplyMatrices(this.worldFromLink[parent]!, parentFromJoint);
-      if (kind === "revolute") worldFromChild.multiply(this.motion.makeRotationAxis(direction, position));
-      else if (kind === "prismatic") worldFromChild.multiply(this.motion.makeTranslation(direction.x * position, direction.y * position, direction.z * position));
-    });
-  }
-}
-
-/** Materials of the robot; consecutive links have different shades. */
 export interface RobotMaterials {
-  body: [Material, Material];
-  arm: [Material, Material];
-  hand: Material;
-  /** Of the rings where capsules begin to be round. */
+  /** Of the body's casings, and of those of the working arm. */
+  body: Material;
+  arm: Material;
+  /** Of housings, of rings, and of what connects hand and tool. */
+  joint: Material;
   ring: Material;
-  /** Of collision shapes beside visual ones. */
+  handle: Material;
+  /** Of the shapes that collisions are checked with. */
   collision: Material;
   tool: Material;
   /** Returns the material of a shape with its own colour. */
@@ -44,62 +24,56 @@ export interface RobotMaterials {
 
 export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
 
-interface Part { geometry: BufferGeometry; pose: Pose; color: Rgba | undefined }
+interface Part { geometry: BufferGeometry; linkFromPart: Matrix4; look: Finish | Rgba }
 
-/** Share of a capsule's radius that is the thickness of its rings [1]. */
-const RING_SHARE = 0.05;
+/** Whether the body of a robot is made from its collision shapes, because it has no others. */
+export const hasMadeBody = (robot: RobotRecord): boolean => !robot.links.some(({ visual }) => visual);
 
-/** Adds rings to a capsule, which make bare collision shapes look like the parts of an arm. */
-function addRings(link: Group, shape: Solid, material: Material): void {
-  if (shape.kind !== "capsule" || shape.length < shape.radius) return;
-  for (const end of [-1, 1]) {
-    const geometry = new TorusGeometry(shape.radius, RING_SHARE * shape.radius, 8, 40).translate(0, 0, (end * shape.length) / 2);
-    const ring = new Mesh(geometry, material);
-    ring.matrixAutoUpdate = false;
-    matrix(shape.pose, ring.matrix);
-    link.add(ring);
-  }
+/** Returns the parts of all links. */
+function makeParts(head: Head, meshes: MeshRecord[]): Part[][] {
+  const { robot } = head;
+  if (!robot) return [];
+  if (hasMadeBody(robot)) return makeBody(head, meshes).map((body) => (Object.entries(body) as [Finish, BufferGeometry][]).map(([look, geometry]) => ({ geometry, linkFromPart: new Matrix4(), look })));
+  return robot.links.map(({ shapes }) => shapes.map((shape) => ({ geometry: geometryOf(shape, meshes), linkFromPart: matrix(shape.pose), look: shape.color ?? "casing" })));
+}
+
+function makeMesh(geometry: BufferGeometry, material: Material, pose: Matrix4): Mesh {
+  const mesh = new Mesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrix.copy(pose);
+  return mesh;
 }
 
 export class Robot {
   readonly group = new Group();
-  private readonly tree: Tree | null;
-  private readonly links: Group[] = [];
-  private readonly collision: Mesh[] = [];
   readonly tool: Mesh;
+  private readonly tree: Tree | null;
+  /** One group for each link. */
+  readonly links: Group[] = [];
+  private readonly collision: Mesh[] = [];
   private readonly linkFromTool: Matrix4;
   private readonly parts: Part[][];
-  private readonly toolGeometry: BufferGeometry;
 
-  constructor(private readonly head: Head, meshes: MeshRecord[], materials: RobotMaterials, shared?: Robot) {
+  /** `shared`: the robot whose geometry a ghost shares. */
+  constructor(private readonly head: Head, private readonly meshes: MeshRecord[], private readonly materials: RobotMaterials, shared?: Robot) {
     const { robot, tool } = head;
     this.tree = robot ? new Tree(robot.joints) : null;
-    this.parts = shared?.parts ?? (robot?.links ?? []).map(({ shapes }) =>
-      shapes.map((shape) => ({ geometry: geometryOf(shape, meshes), pose: shape.pose, color: shape.color })));
+    this.parts = shared?.parts ?? makeParts(head, meshes);
     this.parts.forEach((parts, i) => {
       const link = new Group();
       link.matrixAutoUpdate = false;
-      const shade = i % 2;
-      const { arm, visual } = robot!.links[i]!;
-      // The collision geometry of the last link encloses the tool, so it is translucent.
-      const material = i === tool.link && !visual ? materials.hand : arm ? materials.arm[shade]! : materials.body[shade]!;
-      for (const { geometry, pose, color } of parts) {
-        const mesh = new Mesh(geometry, color ? materials.coloured(color) : material);
-        mesh.matrixAutoUpdate = false;
-        matrix(pose, mesh.matrix);
+      const casing = robot!.links[i]!.arm ? materials.arm : materials.body;
+      for (const { geometry, linkFromPart, look } of parts) {
+        const mesh = makeMesh(geometry, typeof look !== "string" ? materials.coloured(look) : look === "casing" ? casing : materials[look], linkFromPart);
         mesh.castShadow = mesh.receiveShadow = !shared;
         link.add(mesh);
       }
-      if (!visual && material !== materials.hand) for (const shape of robot!.links[i]!.shapes) addRings(link, shape, materials.ring);
-      if (!shared) this.addCollision(link, robot!.links[i]!.collision ?? [], meshes, materials.collision);
       this.links.push(link);
       this.group.add(link);
     });
-    this.toolGeometry = shared?.toolGeometry ?? geometryOf(tool.solid, meshes);
-    this.tool = new Mesh(this.toolGeometry, materials.tool);
-    this.tool.matrixAutoUpdate = false;
-    this.tool.castShadow = !shared;
     this.linkFromTool = matrix(tool.solid.pose);
+    this.tool = makeMesh(shared?.tool.geometry ?? geometryOf(tool.solid, meshes), materials.tool, this.linkFromTool);
+    this.tool.castShadow = !shared;
     this.group.add(this.tool);
   }
 
@@ -122,24 +96,21 @@ export class Robot {
     this.tool.matrixWorldNeedsUpdate = true;
   }
 
-  /** Shows the shapes that collisions are checked with, where the recording has them beside visual ones. */
+  /** Shows the shapes that collisions are checked with; they are made when they are first shown. */
   set collisionShown(shown: boolean) {
+    if (shown && !this.collision.length) this.head.robot?.links.forEach((record, i) => {
+      for (const shape of collisionOf(record)) {
+        const mesh = makeMesh(geometryOf(shape, this.meshes), this.materials.collision, matrix(shape.pose));
+        this.collision.push(mesh);
+        this.links[i]!.add(mesh);
+      }
+    });
     for (const mesh of this.collision) mesh.visible = shown;
   }
 
-  private addCollision(link: Group, shapes: readonly Solid[], meshes: MeshRecord[], material: Material): void {
-    for (const shape of shapes) {
-      const mesh = new Mesh(geometryOf(shape, meshes), material);
-      mesh.matrixAutoUpdate = mesh.visible = false;
-      matrix(shape.pose, mesh.matrix);
-      this.collision.push(mesh);
-      link.add(mesh);
-    }
-  }
-
-  /** The links that can hide something: not the translucent shape round the tool. */
-  get limbs(): Object3D[] {
-    return this.links.filter((_, i) => i !== this.head.tool.link || this.head.robot!.links[i]!.visual);
+  /** Number of triangles of the robot and its tool, without collision shapes. */
+  get triangles(): number {
+    return [this.tool.geometry, ...this.parts.flat().map(({ geometry }) => geometry)].reduce((sum, { index, attributes }) => sum + (index?.count ?? attributes.position!.count) / 3, 0);
   }
 
   /** Draws the robot over what lies behind it, as it must be while it is translucent. */
@@ -157,3 +128,6 @@ export class Robot {
     return new Vector3().setFromMatrixPosition(this.links.find((link) => link.children.length)?.matrix ?? new Matrix4());
   }
 }
+
+/** Returns the shapes that collisions of a link are checked with. */
+export const collisionOf = ({ visual, shapes, collision }: RobotRecord["links"][number]): Solid[] => (visual ? collision ?? [] : shapes);

@@ -106,7 +106,7 @@ export class Shots {
     const { plan } = this.still.round;
     const moments = this.contacts.map((time): Moment => {
       this.move(time);
-      return { blocks: this.robot ? blocksOf(this.robot.limbs) : [], tool: this.robot ? [this.robot.toolPlace, ...cornersOf([this.robot.tool])] : [] };
+      return { blocks: this.robot ? blocksOf(this.robot.links) : [], tool: this.robot ? [this.robot.toolPlace, ...cornersOf([this.robot.tool])] : [] };
     });
     const corners = this.surfaceCorners;
     const middle = middleOf(corners);

@@ -48,9 +48,6 @@ const NEAR_PX = 9;
 /** Number of rounds whose geometry is cached. */
 const KEPT_ROUNDS = 6;
 
-/** Opacity of the collision shape round the tool [1]. */
-const HAND_OPACITY = 0.2;
-
 /** Direction to the light, in units of the scene's radius. */
 const SUN = new Vector3(0.9, 0.5, 1.9);
 /** Intensities. What lies flat gets just as much light (π) as makes its colour that of the style sheet. */
@@ -101,6 +98,8 @@ export class Stage {
   private time = 0;
   /** Number of drawn frames, for measurements. */
   drawn = 0;
+  /** Is called after each frame, while the canvas still has it. */
+  onDrawn: (() => void) | null = null;
 
   /** Number of drawn ghosts, for measurements. */
   get ghostCount(): number {
@@ -113,12 +112,9 @@ export class Stage {
   }
 
   /** `left` is called when the camera stops following because a user moves it. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
+  constructor(readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
     this.painter = new Painter(canvas);
     const matte = (roughness: number) => (this.painter.software ? new MeshLambertMaterial() : new MeshStandardMaterial({ roughness, metalness: 0.05 }));
-    // The round ends of adjacent links coincide; a depth offset of one shade prevents flicker.
-    const under = (roughness: number) => Object.assign(matte(roughness), { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
-    const hand = Object.assign(matte(0.5), { transparent: true, opacity: HAND_OPACITY, depthWrite: false });
     const own = new Map<string, Material>();
     const coloured = (rgba: Rgba): Material => {
       const [red, green, blue, opacity] = rgba;
@@ -131,7 +127,7 @@ export class Stage {
       own.set(rgba.join(), material);
       return material;
     };
-    this.materials = { body: [matte(0.6), under(0.6)], arm: [matte(0.5), under(0.5)], hand, ring: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
+    this.materials = { body: matte(0.6), arm: matte(0.5), joint: matte(0.45), ring: matte(0.4), handle: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
     this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.group, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
@@ -200,9 +196,8 @@ export class Stage {
   /** Sets the share of light that passes through the robot, in [0, 1]. */
   set xray(share: number) {
     this.seeThrough = share;
-    const { body, arm, hand, ring, own } = this.materials;
-    for (const material of [...body, ...arm, ring, ...own.values()]) this.clear(material);
-    hand.opacity = HAND_OPACITY * (1 - share);
+    const { body, arm, joint, ring, handle, own } = this.materials;
+    for (const material of [body, arm, joint, ring, handle, ...own.values()]) this.clear(material);
     if (this.robot) this.robot.last = share > 0;
     this.ask();
   }
@@ -261,7 +256,7 @@ export class Stage {
         if (!instant) continue;
         const look = ghostMaterial();
         look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: [look, look], arm: [look, look], hand: look, ring: look, collision: look, tool: look, coloured: () => look }, this.robot);
+        const ghost = new Robot(head, meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look }, this.robot);
         ghost.show(instant.round.plan.root, instant.q, instant.tool);
         this.ghosts.add(ghost.group);
       }
@@ -271,15 +266,15 @@ export class Stage {
 
   paint(): void {
     const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, hand, ring, collision, tool } = this.materials;
-    set(body[0], "body-1"); set(body[1], "body-2"); set(arm[0], "arm-1"); set(arm[1], "arm-2");
-    set(hand, "arm-1"); set(ring, "ring"); set(collision, "quiet"); set(tool, "tool");
+    const { body, arm, joint, ring, handle, collision, tool } = this.materials;
+    set(body, "body-1"); set(arm, "arm-1"); set(joint, "joint"); set(ring, "ring"); set(handle, "joint"); set(collision, "quiet"); set(tool, "tool");
     this.painter.paint();
     this.showGhosts(this.ghostList);
     this.highlightLook.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
     this.asked.paint();
+    this.trajectories.paint();
     this.force.paint();
     this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
@@ -312,6 +307,7 @@ export class Stage {
     if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
+    this.onDrawn?.();
   }
 
   private place(instant: Instant): void {

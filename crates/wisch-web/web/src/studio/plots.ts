@@ -1,6 +1,6 @@
 // Diagrams of a query.
 import { el, fixed, svg } from "../dom.ts";
-import { TRAJECTORY_COLOURS } from "../scene/path.ts";
+import { trackName } from "../scene/path.ts";
 import type { Plot } from "./server.ts";
 
 const WIDTH = 400;
@@ -62,7 +62,7 @@ function drawPie(amounts: [string, number][]): SVGSVGElement {
   return picture(height, ...amounts.flatMap(([name, value], i) => {
     const from = angle;
     angle += (2 * Math.PI * value) / all;
-    const fill = TRAJECTORY_COLOURS[i % TRAJECTORY_COLOURS.length]!;
+    const fill = `var(--${trackName(i)})`;
     const isAll = value >= all;
     const shape = isAll
       ? svg("circle", { cx, cy, r, fill })
