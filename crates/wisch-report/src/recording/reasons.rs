@@ -13,7 +13,7 @@ use wisch::represent::{Performance, Task};
 
 /// Largest number of predicted strokes, times particles, for which the plans without one stroke are predicted.
 const MAX_WORK: usize = 8_000_000;
-/// Smallest gain that is worth a sentence [1].
+/// Smallest gain of a repeated stroke that is stated [1].
 const LEAST_GAIN: f64 = 5e-4;
 /// Angle from which a stroke counts as turned against the plan [rad].
 const TURNED: f64 = 0.087;

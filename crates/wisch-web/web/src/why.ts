@@ -34,7 +34,7 @@ function describeNeed(gains: readonly StrokeGain[], whole: number): string[] {
   const spare = known.filter(({ marginal }) => marginal < LEAST_SHARE).map(({ stroke }) => stroke + 1);
   return [
     ...(most.marginal >= LEAST_SHARE ? [`Stroke ${most.stroke + 1} is predicted to matter most: without it, the plan reaches ${percent(whole - most.marginal, 1)} instead of ${percent(whole, 1)}.`] : []),
-    ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach no less.`] : []),
+    ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach no less. Such a stroke may still help if dirt or tool are not as believed.`] : []),
   ];
 }
 
