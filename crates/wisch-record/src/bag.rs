@@ -4,6 +4,7 @@ use crate::sink::{RunSink, SinkError};
 use std::path::PathBuf;
 use wisch::geometry::{Point3, Pose};
 use wisch::represent::{Observation, Surface, SurfaceShape, Task};
+use wisch::robot::show_collision_shapes;
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_telemetry::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, WriteError};
 
@@ -150,8 +151,9 @@ impl BagSink {
         let path = self.path();
         let mut bag = BagWriter::create(&path, head)?;
         if let Some(urdf) = &self.urdf {
+            let hand = &robot.links()[planned.cell.tip().index()].name;
             bag.write_robot(&BagRobot {
-                urdf,
+                urdf: &show_collision_shapes(urdf, hand),
                 model: robot,
                 world_from_root: *planned.cell.world_from_root(),
             })?;

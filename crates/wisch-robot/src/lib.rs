@@ -70,7 +70,7 @@ pub use description::{
     GroupState, HOME_STATE, IgnoredElement, JointMimic, JointMotion, JointTransform, LinkAxis,
     MAX_DEPTH, MAX_LINKS, MAX_MESH_EXTENT, MAX_SHAPES, MAX_URDF_BYTES, READY_STATE, Severity,
     Shape, Srdf, SrdfComments, Subject, ToolHolder, VirtualJoint, Visual, check, joint_transforms,
-    urdf_on_base,
+    show_collision_shapes, urdf_on_base,
 };
 pub use dynamics::{Dynamics, MIN_INERTIA};
 pub use error::RobotError;

@@ -8,6 +8,7 @@ pub(super) mod elements;
 mod link_axis;
 mod planar;
 mod repair;
+mod shown_shapes;
 mod srdf;
 mod srdf_state;
 mod srdf_writer;
@@ -22,6 +23,7 @@ pub use check::{MAX_DEPTH, check};
 pub use collision::{Collision, MAX_MESH_EXTENT, Shape};
 pub use diagnostics::{Diagnostic, DiagnosticKind, Severity, Subject};
 pub use link_axis::LinkAxis;
+pub use shown_shapes::show_collision_shapes;
 pub use srdf::{
     DisabledPair, Group, GroupState, HOME_STATE, IgnoredElement, READY_STATE, Srdf, ToolHolder,
 };
