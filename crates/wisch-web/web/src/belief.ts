@@ -1,6 +1,7 @@
 // The belief at the end of a round against the ground truth of the simulated world.
 import { fixed, percent } from "./dom.ts";
 import { PER_METRE, metres } from "./particles.ts";
+import { MOST_COUNTED } from "./strokes.ts";
 import { degreesOf, isTreated, quantityOf, resultValues, shareOf } from "./treated.ts";
 import type { DensityRecord, Places } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -47,22 +48,26 @@ export type Comparison = [quantity: string, estimated: string, actual: string, o
 /** Compares two numbers of particles, the second of which is a whole one. */
 function compareCounts(where: string, estimated: number, actual: number): Comparison {
   const off = Math.abs(Math.round(estimated) - actual);
-  return [where, String(Math.round(estimated)), String(actual), `${off} ${off === 1 ? "particle" : "particles"}`];
+  // One random sample of the belief is no error of it.
+  return [where, String(Math.round(estimated)), String(actual), where.endsWith("(sample)") ? "" : `${off} ${off === 1 ? "particle" : "particles"}`];
 }
 
 function compareDirt({ plan: { goal }, interpreted, truth }: Round): Comparison[] {
   const { particles, density } = interpreted!;
   const actual = truth!.particles!;
-  const [all, truly] = [density ? density.expected.reduce((sum, number) => sum + number, 0) : particles.length / 2, actual.length / 2];
+  const of = density ? "" : " (sample)";
+  const all = density ? density.remaining ?? density.expected.reduce((sum, number) => sum + number, 0) : particles.length / 2;
+  const truly = truth!.remaining ?? actual.length / 2;
+  // Of very many particles a recording has a part.
+  const isThinned = actual.length / 2 !== truly || (truth!.remaining === undefined && actual.length / 2 >= MOST_COUNTED);
   const rows: Comparison[] = [];
-  if (goal?.kind === "collected") {
-    const expected = density?.goal ?? null;
-    const of = expected === null ? " (sample)" : "";
-    const [held, heldTruly] = [expected ?? countWithin(particles, goal.place, goal.radius), countWithin(actual, goal.place, goal.radius)];
-    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere${of}`, Math.max(0, (expected === null ? particles.length / 2 : all) - held), truly - heldTruly));
-  } else rows.push(compareCounts(`Left on the surface${density ? "" : " (sample)"}`, all, truly));
+  if (goal?.kind === "collected" && !isThinned && (!density || density.goal !== undefined)) {
+    const held = density?.goal ?? countWithin(particles, goal.place, goal.radius);
+    const heldTruly = countWithin(actual, goal.place, goal.radius);
+    rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere on the surface${of}`, Math.max(0, all - held), truly - heldTruly));
+  } else if (truth!.remaining !== undefined || !isThinned) rows.push(compareCounts(`Left on the surface${of}`, all, truly));
   const area = (numbers: number[]) => `${Math.round(spreadOf(numbers) * density!.cell ** 2 * 1e4)} cm\u00b2`;
-  if (density && all > 0 && truly > 0) rows.push(["Area that holds 90\u202f%", area(density.expected), area(countInCells(actual, density)), ""]);
+  if (density && !isThinned && all > 0 && truly > 0) rows.push(["Area that holds 90\u202f% of the dirt", area(density.expected), area(countInCells(actual, density)), ""]);
   return rows;
 }
 
@@ -77,7 +82,7 @@ function compareTreated(round: Round): Comparison[] {
   const wrong = estimated.filter((degree, i) => degree !== actual[i]).length;
   return [
     [`Mean ${quantityOf(round)}`, mean(means[0]), mean(means[1]), mean(Math.abs(means[0] - means[1]))],
-    ["In the allowed band", percent(shareOf(estimated, "allowed"), 1), percent(shareOf(actual, "allowed"), 1), `${wrong} of ${length} places`],
+    ["Places whose mean is in the band", percent(shareOf(estimated, "allowed"), 1), percent(shareOf(actual, "allowed"), 1), `${wrong} of ${length} places`],
   ];
 }
 
@@ -88,6 +93,6 @@ export function compareWithTruth(round: Round): Comparison[] {
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
   const isInside = performance >= low && performance <= high;
-  const off = `${fixed(100 * Math.abs(mean - performance), 1)} points, ${isInside ? "inside" : "outside"} the interval`;
+  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isInside ? "inside" : "outside"} the interval`;
   return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
 }

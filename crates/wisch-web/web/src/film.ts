@@ -112,6 +112,9 @@ class Take {
   }
 }
 
+/** Time before the end of a round at which it is still shown: at its end the next one begins [s]. */
+const BEFORE_NEXT_S = 5e-7;
+
 /** Returns a menu that records the current view over a round or the run. The clock of the view plays it. */
 export function makeFilm(stage: Stage, recording: Recording, clock: Clock): { element: HTMLElement; show(): void; destroy(): void } {
   const obstacle = findObstacle();
@@ -136,7 +139,8 @@ export function makeFilm(stage: Stage, recording: Recording, clock: Clock): { el
   };
   const begin = () => {
     const round = recording.rounds[Number(part.value) - 1];
-    const [from, to] = round ? [round.start, Math.min(round.end, clock.end)] : [0, clock.end];
+    const [from, to] = round ? [round.start, Math.min(round.end - (round === recording.rounds.at(-1) ? 0 : BEFORE_NEXT_S), clock.end)] : [0, clock.end];
+    if (!(to > from)) return end("Nothing to record: this part takes no time.");
     const speed = Math.max(1, clock.speed);
     clock.pause();
     clock.setSpeed(speed);
@@ -196,7 +200,7 @@ export function makeFilm(stage: Stage, recording: Recording, clock: Clock): { el
   };
   show();
   return {
-    element: el("details", { class: "w-film" }, el("summary", {}, "Film"), el("div", {}, part, start, cancel, progress, clip, said)),
+    element: el("details", { class: "w-film", name: "w-menu" }, el("summary", {}, "Film"), el("div", {}, part, start, cancel, progress, clip, said)),
     show,
     destroy: () => {
       document.removeEventListener("visibilitychange", hide);

@@ -218,7 +218,7 @@ export interface RoundPiece {
   /** Among which plans it was chosen, where several were weighed. */
   considered?: Considered[];
   // Recordings up to version 0.2.0 have none of the next five.
-  /** What the whole plan is predicted to lose, in [0, 1]. */
+  /** Share of the dirt that is lost after the plan, by the prediction, in [0, 1]. */
   lost?: number;
   /** The predictions for the plan without each of its strokes. */
   without?: LeftOut[];
@@ -299,6 +299,8 @@ export interface DensityRecord {
   places: Places;
   /** Expected number of particles in each cell: mean over the belief. */
   expected: number[];
+  /** Expected number of particles on the surface, also in cells that are left out. */
+  remaining?: number;
   /** Expected number of particles in the goal area, which the cells do not give exactly; missing without one. */
   goal?: number;
 }
@@ -337,6 +339,8 @@ export interface TruthPiece {
   round: number;
   performance: number | null;
   particles: Places | null;
+  /** Number of particles on the surface, of which `particles` may be a part; recordings up to version 0.2.0 have none. */
+  remaining?: number;
   /** True values of the round's `treatment.places`, in steps. */
   treated?: number[];
   /** True pushes: start, end. */

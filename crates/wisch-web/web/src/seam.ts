@@ -30,12 +30,12 @@ function drawDensity({ cell, places, expected }: DensityRecord): SVGElement[] {
 }
 
 /** Returns the legend of a density: squares as they are drawn. */
-export function makeDensityLegend(): HTMLElement {
+export function makeDensityLegend({ cell }: DensityRecord): HTMLElement {
   const square = (number: number) => {
     const side = 14 * Math.sqrt(Math.min(1, number));
     return svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("rect", { x: 7 - side / 2, y: 7 - side / 2, width: side, height: side, class: `w-density-${shadeOf(number) + 1}` }));
   };
-  return el("li", {}, "density of the belief, particles per cell:", ...[0.1, 0.5, ...SHADES].flatMap((number, i, all) => [square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`]));
+  return el("li", {}, `estimate: expected particles per ${Math.round(1000 * cell)} mm cell:`, ...[0.1, 0.5, ...SHADES].flatMap((number, i, all) => [square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`]));
 }
 
 export class Seam {

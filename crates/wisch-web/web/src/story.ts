@@ -24,6 +24,8 @@ const makeLegend = (names: string[]) =>
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
 
+const describePrediction = (predicted: number | null): string => (predicted === null ? "" : ` Predicted performance: ${percent(predicted)}.`);
+
 /** Returns a command with a button that copies it. */
 function makeCommand(command: string): HTMLElement {
   const copy = el("button", { type: "button", class: "w-button", click: () => {
@@ -78,7 +80,7 @@ export class Story {
     say(this.badge, text);
     const story = ended?.story;
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
-      ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed. Predicted performance: ${percent(rounds.at(-1)!.plan.predicted ?? 0)}.` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
+      ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed.${describePrediction(rounds.at(-1)!.plan.predicted)}` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     const known = rounds.map(({ number, interpreted, truth }) => [number, interpreted?.estimate, interpreted?.by_touch, truth?.performance]);
     this.rebuild(this.texts, [head?.task, story, live, happened, state, known], () => [
       ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
@@ -156,12 +158,12 @@ export class Story {
     if (!last) {
       if (first.plan.kind !== "planned") return [figure("Believed before", first, before), makeLegend(names(...before))];
       const predicted = [{ mark: "believed" as const, places: first.particles.places(Math.max(0, first.particles.times.length - 1)) }];
-      return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...predicted))];
+      return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...before, ...predicted))];
     }
     if (seam) {
       const density = last.interpreted?.density;
       const legend = makeLegend([...names(...before), ...(density ? [] : ["sample"]), "actual"]);
-      if (density) legend.append(makeDensityLegend());
+      if (density) legend.append(makeDensityLegend(density));
       return [figure("Before", first, before), this.drawArrow(), seam, legend];
     }
     const after: Dots[] = [];

@@ -25,7 +25,7 @@ export interface StrokeGain {
 /** Smallest difference of shares that is stated [1]. */
 export const LEAST_SHARE = 5e-4;
 /** Number of shown particles from which on they may be a part of all, so that they are not counted. */
-const MOST_COUNTED = 700;
+export const MOST_COUNTED = 700;
 
 /** Returns the prediction for the plan without a stroke; null if there is none. */
 const leftOut = ({ plan }: Round, stroke: number): LeftOut | null => plan.without?.find((one) => one.stroke === stroke) ?? null;
@@ -39,7 +39,7 @@ export function findGains(round: Round): StrokeGain[] {
   if (!growth.length) return [];
   let since = 0;
   let before = round.growthAt(0)!;
-  return phases.filter(({ stroke }) => stroke !== null).map(({ start, end, stroke }) => {
+  return phases.filter(({ stroke }) => typeof stroke === "number" && strokes[stroke]).map(({ start, end, stroke }) => {
     const after = round.growthAt(end)!;
     const without = leftOut(round, stroke!);
     const found = { stroke: stroke!, gain: after - before, marginal: without && predictWhole(round) - without.performance, way: measure(metres(strokes[stroke!] ?? [])), start, time: end - since };

@@ -18,7 +18,7 @@ export function makeTransport(clock: Clock, recording: Recording, more: HTMLElem
   const time = el("output", { class: "w-time", "aria-live": "off" });
   const speed = el("select", { class: "w-select", "aria-label": "Playback speed", change: () => clock.setSpeed(Number(speed.value)) },
     ...SPEEDS.map((value) => el("option", { value }, `${value}\u00d7`)));
-  const help = el("details", { class: "w-keys" }, el("summary", {}, "Keys"),
+  const help = el("details", { class: "w-keys", name: "w-menu" }, el("summary", {}, "Keys"),
     el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])));
   let playing: boolean | null = null;
   const show = () => {

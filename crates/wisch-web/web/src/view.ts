@@ -59,6 +59,18 @@ export interface View {
   destroy(): void;
 }
 
+/** Listens to the keys of the clock and of the camera. Returns a function that ends this. */
+function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel): () => void {
+  return listenKeys(element, clock, recording, (key) => {
+    if (key === "f") panel.look("all");
+    else if (key === "v") panel.look("above");
+    else if (key === "t") panel.toggleFollow();
+    else if (key === "l" && clock.live) clock.follow();
+    else return false;
+    return true;
+  });
+}
+
 export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
   const clock = shared ?? new Clock();
   const leave = clock.join(recording);
@@ -92,14 +104,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       ask();
     }),
     onTheme(() => name()),
-    listenKeys(element, clock, recording, (key) => {
-      if (key === "f") panel.look("all");
-      else if (key === "v") panel.look("above");
-      else if (key === "t") panel.toggleFollow();
-      else if (key === "l" && clock.live) clock.follow();
-      else return false;
-      return true;
-    }),
+    listenLooks(element, clock, recording, panel),
   ];
   if (recording.live) clock.follow();
   show();

@@ -2,7 +2,7 @@
 import { el, fixed, formatKnown, makeList, makeTable, percent } from "./dom.ts";
 import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
 import type { StrokeGain } from "./strokes.ts";
-import type { Considered, Places } from "./recording.ts";
+import type { Considered, Places, RoundPiece } from "./recording.ts";
 import type { Round } from "./round.ts";
 
 /** Strokes that are not part of the plan. */
@@ -21,7 +21,8 @@ export interface Choice {
 /** Number of groups of strokes whose headings are stated. */
 const MOST_GROUPS = 3;
 
-const signed = (gain: number): string => `${gain > 0 ? "+" : ""}${percent(gain, 1)}`;
+/** Formats a difference of shares. */
+const signed = (gain: number): string => `${gain > 0 ? "+" : ""}${fixed(100 * gain, 1)}`;
 
 /** Lists numbers in words, such as "1, 2 and 5". */
 const listNumbers = (numbers: readonly number[]): string => (numbers.length > 1 ? `${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}` : String(numbers[0]));
@@ -34,7 +35,7 @@ function describeNeed(gains: readonly StrokeGain[], whole: number): string[] {
   const spare = known.filter(({ marginal }) => marginal < LEAST_SHARE).map(({ stroke }) => stroke + 1);
   return [
     ...(most.marginal >= LEAST_SHARE ? [`Stroke ${most.stroke + 1} is predicted to matter most: without it, the plan reaches ${percent(whole - most.marginal, 1)} instead of ${percent(whole, 1)}.`] : []),
-    ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach no less. Such a stroke may still help if dirt or tool are not as believed.`] : []),
+    ...(spare.length ? [`Without stroke ${listNumbers(spare).replace(" and ", " or ")} alone, the plan is predicted to reach ${spare.some((stroke) => known.find((one) => one.stroke + 1 === stroke)!.marginal <= -LEAST_SHARE) ? "as much or more" : "as much"}. It may still help if dirt or tool differ from the belief.`] : []),
   ];
 }
 
@@ -43,7 +44,7 @@ function describeHeadings(headings: readonly string[]): string[] {
   const groups = new Map<string, number[]>();
   headings.forEach((text, i) => groups.set(text, [...groups.get(text) ?? [], i + 1]));
   const sorted = [...groups].sort(([, a], [, b]) => b.length - a.length);
-  const shown = sorted.slice(0, MOST_GROUPS).map(([text, strokes]) => `${groups.size === 1 ? "All strokes" : strokes.length > 1 ? `Strokes ${listNumbers(strokes)}` : `Stroke ${strokes[0]}`}: ${text}`);
+  const shown = sorted.slice(0, MOST_GROUPS).map(([text, strokes]) => `${groups.size === 1 && headings.length > 1 ? "All strokes" : strokes.length > 1 ? `Strokes ${listNumbers(strokes)}` : `Stroke ${strokes[0]}`}: ${text}`);
   return groups.size > MOST_GROUPS ? [...shown, "Choose another stroke in the table to see how the tool is turned in it."] : shown;
 }
 
@@ -65,10 +66,11 @@ export class Why {
     if (this.stroke !== null || this.rejected) this.choose(null);
     [this.round, this.stroke, this.rejected, this.kept] = [round, null, null, null];
     const gains = round ? findGains(round) : [];
-    const { why = [], considered = [], headings = [], without, another = without ? null : undefined } = round?.plan ?? {};
+    const { without, predicted, another = without?.length ? null : undefined, ...plan }: Partial<RoundPiece> = round?.plan ?? {};
+    const [why, considered, headings] = [plan.why ?? [], plan.considered ?? [], plan.headings ?? []];
     const list = makeList(describeNeed(gains, round ? predictWhole(round) : NaN));
     if (round && another) list.append(el("li", {}, ...this.describeAnother(round, another)));
-    list.append(...makeList([...(another === null ? ["A repetition of a stroke at the end is predicted to gain nothing."] : []), ...describeHeadings(headings), ...why]).children);
+    list.append(...makeList([...(another === null && (predicted ?? 0) < 1 - LEAST_SHARE ? ["A repetition of a stroke at the end is predicted to gain nothing."] : []), ...describeHeadings(headings), ...why]).children);
     this.element.replaceChildren(list.childElementCount ? list : el("p", { class: "w-quiet" }, otherwise),
       ...(considered.length ? [this.makeCandidates(considered)] : []), ...(round && gains.length ? [this.makeStrokes(round, gains)] : []));
   }
@@ -100,9 +102,9 @@ export class Why {
 
   private describeAnother({ plan: { strokes } }: Round, { gain, line, way }: { gain: number; line: Places; way: number }): (Node | string)[] {
     const again = strokes.findIndex((stroke) => String(stroke) === String(line));
-    const rejected = { name: "A stroke more than the plan has", lines: [line] };
+    const rejected = { name: again < 0 ? "One more stroke" : `Repetition of stroke ${again + 1}`, lines: [line] };
     const what = again < 0 ? "One more stroke" : `Stroke ${again + 1} once more at the end`;
-    return [el("span", this.preview(rejected), this.makeKeeper(what, rejected)), ` is predicted to gain ${percent(gain, 1)} with ${fixed(way, 2)} m in contact.`];
+    return [el("span", this.preview(rejected), this.makeKeeper(what, rejected)), ` is predicted to gain ${fixed(100 * gain, 1)} points with ${fixed(way, 2)} m in contact.`];
   }
 
   /** Makes the table of the candidate plans, by falling score. */
@@ -127,7 +129,7 @@ export class Why {
     const below = el("tr", {}, detail);
     const rows = gains.map((one) => {
       const { stroke, gain, marginal, way, start, time } = one;
-      const button = el("button", { type: "button", class: "w-link", "aria-expanded": "false", click: () => {
+      const button = el("button", { type: "button", class: "w-link", "aria-expanded": "false", "aria-label": `Stroke ${stroke + 1}`, click: () => {
         const isOpen = this.stroke === stroke;
         this.stroke = isOpen ? null : stroke;
         for (const row of rows) row.querySelector("button")!.setAttribute("aria-expanded", String(row === own && !isOpen));
@@ -144,6 +146,6 @@ export class Why {
         ...[signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`].map((text) => el("td", {}, text)));
       return own;
     });
-    return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));
+    return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance, in points. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));
   }
 }

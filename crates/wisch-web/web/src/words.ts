@@ -29,7 +29,7 @@ export function stateOf({ rounds, ended, live }: Recording): { state: State; tex
   if (isAll("planned")) return { state: "planned", text: "planned only" };
   if (isAll("logged")) return { state: "logged", text: "from the log" };
   if (!ended) return { state: "broken", text: "ended early" };
-  const state = goalState(ended.met, ended.verdict);
+  const state = goalState(ended.met, UNKNOWN.includes(ended.badge ?? "") ? ended.badge! : ended.verdict);
   return { state, text: ended.badge ?? ended.verdict ?? (ended.met ? "goal met" : "stopped") };
 }
 

@@ -17,11 +17,13 @@ test("numbers of particles in the goal area and elsewhere are those of the densi
   const change = (piece) => only("truth", 1, { particles: actual, performance: 0.5 })(only("interpreted", 1, { density, estimate: { mean: 0.62, low: 0.55, high: 0.7 } })(piece));
   const [round] = open(change).rounds;
   assert.deepEqual(compareWithTruth(round), [
-    ["In the goal area", "6", "4", "2 particles"], ["Elsewhere", "4", "3", "1 particle"], ["Area that holds 90\u202f%", "0 cm\u00b2", "0 cm\u00b2", ""],
+    ["In the goal area", "6", "4", "2 particles"], ["Elsewhere on the surface", "4", "3", "1 particle"], ["Area that holds 90\u202f% of the dirt", "0 cm\u00b2", "0 cm\u00b2", ""],
     ["Performance", "62.0\u202f%", "50.0\u202f%", "12.0 points, outside the interval"],
   ]);
   const cells = open((piece) => only("interpreted", 1, { density: { ...density, goal: undefined }, particles: [x, y, 0, 0] })(change(piece))).rounds[0];
-  assert.deepEqual(compareWithTruth(cells).slice(0, 2), [["In the goal area (sample)", "1", "4", "3 particles"], ["Elsewhere (sample)", "1", "3", "2 particles"]], "cells on the edge of the goal say too little");
+  assert.deepEqual(compareWithTruth(cells).slice(0, 1), [["Left on the surface", "10", "7", "3 particles"]], "cells on the edge of the goal say too little");
+  const thinned = open((piece) => only("truth", 1, { remaining: 70 })(only("interpreted", 1, { density: { ...density, remaining: 68.4 } })(change(piece)))).rounds[0];
+  assert.deepEqual(compareWithTruth(thinned).slice(0, -1), [["Left on the surface", "68", "70", "2 particles"]], "a part of the particles is not compared with all");
   const skimmed = open((piece) => only("round", 1, { goal: { kind: "skimmed" } })(change(piece))).rounds[0];
   assert.deepEqual(compareWithTruth(skimmed)[0], ["Left on the surface", "10", "7", "3 particles"]);
   const inside = open((piece) => only("truth", 1, { performance: 0.56 })(change(piece))).rounds[0];
@@ -42,16 +44,17 @@ test("a wider belief covers more area", () => {
 test("without a density the typical sample is compared, and said to be one", () => {
   const [round] = open(only("interpreted", 1, { density: undefined })).rounds;
   const rows = compareWithTruth(round);
-  assert.deepEqual(rows.map(([quantity]) => quantity), ["In the goal area (sample)", "Elsewhere (sample)", "Performance"]);
+  assert.deepEqual(rows.map(([quantity]) => quantity), ["In the goal area (sample)", "Elsewhere on the surface (sample)", "Performance"]);
   const total = (column) => rows.slice(0, 2).reduce((sum, row) => sum + Number(row[column]), 0);
   assert.deepEqual([total(1), total(2)], [300, 300]);
+  assert.deepEqual(rows.slice(0, 2).map((row) => row[3]), ["", ""], "one sample is no error of the belief");
 });
 
 test("passes are compared place by place", () => {
   const recording = Recording.parse(lines(polished(pieces)));
   // Estimated 0 to 4 passes in 32 columns, true 0 to 5: 12, 16 and 4 of them have too little, enough and too much, and 10, 12 and 10.
   assert.deepEqual(compareWithTruth(recording.rounds[1]).slice(0, 2), [
-    ["Mean passes", "2.00", "2.50", "0.50"], ["In the allowed band", "50.0\u202f%", "37.5\u202f%", "192 of 768 places"],
+    ["Mean passes", "2.00", "2.50", "0.50"], ["Places whose mean is in the band", "50.0\u202f%", "37.5\u202f%", "192 of 768 places"],
   ]);
 });
 

@@ -350,10 +350,10 @@ const cases = {
     };
     const sentences = await page.locator(".w-section .w-sentences").first().locator("li").allInnerTexts();
     assert.match(sentences[0], /^Stroke 1 is predicted to matter most: without it, the plan reaches 57\.0\u202f% instead of 78\.0\u202f%\.$/);
-    assert.ok(sentences.includes("Stroke 3 once more at the end is predicted to gain 1.2\u202f% with 0.21 m in contact."));
+    assert.ok(sentences.includes("Stroke 3 once more at the end is predicted to gain 1.2 points with 0.21 m in contact."));
     assert.ok(sentences.includes("Strokes 1, 2, 3 and 5: The tool sweeps 90 mm, as wide as it can."));
     const strokes = page.locator("[aria-label=Strokes]");
-    const third = strokes.getByRole("button", { name: "3", exact: true });
+    const third = strokes.getByRole("button", { name: "Stroke 3", exact: true });
     await third.click();
     assert.deepEqual(await reasons(), { stroke: 2, rejected: 0, bases: 0 });
     near(await time(page), await page.evaluate(() => wisch.recording.rounds[0].plan.phases.find(({ stroke }) => stroke === 2).start), 1e-9);
@@ -815,7 +815,7 @@ const cases = {
       return page.locator(".w-map-scale strong").innerText();
     };
     assert.match(await page.locator(".w-words").innerText(), /A repetition of a stroke at the end is predicted to gain nothing\./);
-    await page.locator("[aria-label=Strokes]").getByRole("button", { name: "2", exact: true }).click();
+    await page.locator("[aria-label=Strokes]").getByRole("button", { name: "Stroke 2", exact: true }).click();
     const pair = page.locator(".w-stroke");
     assert.deepEqual([await pair.locator(".w-map").count(), await pair.locator(".w-scale").count()], [2, 1]);
     assert.match(await pair.innerText(), /of 768 places get too little, .* places get too much\./);

@@ -50,6 +50,8 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
   return robot.links.map(({ name, arm, shapes }, i) => {
     const parts: Record<Finish, BufferGeometry[]> = { casing: [], joint: [], ring: [], handle: [] };
     const add: Add = (finish, geometry, at) => {
+      // A mesh that the recording lacks.
+      if (!geometry.hasAttribute("position")) return;
       geometry.deleteAttribute("uv");
       const indexed = geometry.index ? geometry : mergeVertices(geometry);
       parts[finish].push(at ? indexed.applyMatrix4(at) : indexed);
@@ -63,7 +65,7 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
     if (rod && !arm && /head/i.test(name)) addHead(add, rod, link.worldFromLink);
     else if (rod && isHand) addGrip(add, rod, held, /left/i.test(name));
     else if (!link.trunk || !addTrunk(add, link)) for (const one of link.rods) addCasing(add, one, near);
-    for (const shape of shapes) if (shape.kind !== "capsule") addShape(add, shape, link.worldFromLink, meshes);
+    for (const shape of shapes) if (shape.kind !== "capsule") addShape(add, shape, arm ? null : link.worldFromLink, meshes);
     if (link.before) addHousing(add, robot.joints[i - 1]!, link);
     return Object.fromEntries(Object.entries(parts).filter(([, list]) => list.length).map(([finish, list]) => [finish, mergeGeometries(list)]));
   });
@@ -266,9 +268,10 @@ function addHead(add: Add, rod: Rod, worldFromLink: Matrix4): void {
   }
 }
 
-/** Adds a shape other than a capsule; a sphere is drawn as a wheel, which lies inside. */
-function addShape(add: Add, shape: Solid, worldFromLink: Matrix4, meshes: MeshRecord[]): void {
-  if (shape.kind !== "sphere") return add("casing", geometryOf(shape, meshes).clone(), matrix(shape.pose));
+/** Adds a shape other than a capsule. A sphere that rests on the floor is drawn as a wheel, which lies inside; `worldFromLink` is null for arms. */
+function addShape(add: Add, shape: Solid, worldFromLink: Matrix4 | null, meshes: MeshRecord[]): void {
+  const isOnFloor = (radius: number) => Math.abs(new Vector3().setFromMatrixPosition(matrix(shape.pose)).applyMatrix4(worldFromLink!).z - radius) < 0.1 * radius;
+  if (shape.kind !== "sphere" || !worldFromLink || !isOnFloor(shape.radius)) return add("casing", geometryOf(shape, meshes).clone(), matrix(shape.pose));
   const axis = new Vector3(0, 1, 0).transformDirection(inverse(worldFromLink));
   addDrum(add, alongAxis(axis, new Vector3().setFromMatrixPosition(matrix(shape.pose))), 0.9 * shape.radius, 0.42 * shape.radius);
 }

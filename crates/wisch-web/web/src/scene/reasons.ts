@@ -126,9 +126,12 @@ export class BaseMap {
 
   private clear(): void {
     for (const child of this.group.children as (InstancedMesh | Sprite)[]) {
+      // All sprites share one geometry.
       if (child instanceof Sprite) child.material.map?.dispose();
-      else child.dispose();
-      child.geometry.dispose();
+      else {
+        child.dispose();
+        child.geometry.dispose();
+      }
       (child.material as MeshBasicMaterial).dispose();
     }
     this.group.clear();

@@ -71,6 +71,7 @@ export class Still {
     plan.strokes.forEach((stroke) => {
       const material = this.keep(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
       const line = segments(chain(liftLine(plan.surface.shape, corners(stroke, 2 * ABOVE), false), false), material);
+      this.geometries.push(line.geometry);
       this.strokes.push(line);
       this.strokeGroup.add(line);
     });
@@ -174,7 +175,9 @@ export class Still {
     this.surface.receiveShadow = true;
     this.bodies.add(this.surface);
     const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring, true), true));
-    this.group.add(placeAt(segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline")), pose));
+    const outline = segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline"));
+    this.geometries.push(outline.geometry);
+    this.group.add(placeAt(outline, pose));
   }
 
   /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
