@@ -315,11 +315,12 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
     if !following.has_shapes {
         lines.push(("links", NO_SHAPES.to_owned()));
     }
-    if following.contact_time_s <= 0.0 && following.abandoned_nodes > 0 {
-        lines.push((
-            "motion",
-            "none in contact: the robot reaches no stroke of the plan".to_owned(),
-        ));
+    if following.contact_time_s <= 0.0 {
+        let reason = match following.abandoned_nodes {
+            0 => "the plan has no stroke",
+            _ => "the robot reaches no stroke of the plan",
+        };
+        lines.push(("motion", format!("none in contact: {reason}")));
     } else {
         lines.extend(motion_in_words(following, in_rounds));
     }

@@ -64,7 +64,8 @@ pub struct Interpretation {
     pub pressed_force: Option<f64>,
     /// Belief about the tool's stiffness after this log and those before it; `None` for a rigid tool.
     pub tool_stiffness: Option<ToolStiffness>,
-    /// Time in contact over the time that the tool was on or near the surface \[1\]; `None` where it never was.
+    /// Time in contact over the time that the tool was on or near the surface \[1\]; `None` where it never was, and where
+    /// the log shows no contact with a plane, so that contact is unknown.
     pub contact_share: Option<f64>,
     /// Belief about the dirt after the log.
     pub belief: Belief,

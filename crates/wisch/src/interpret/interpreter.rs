@@ -391,6 +391,8 @@ impl Interpreter {
         let stiffness = (found_stiffness.is_none())
             .then(|| self.stiffness(&classified, &events, &config))
             .flatten();
+        // Without contacts on a plane it is unknown whether the tool touched.
+        let has_plane = classified.plane.is_some();
         LogAnalysis {
             force_bias: reading.normal_bias(measured),
             pressed: reading.pressed,
@@ -399,7 +401,7 @@ impl Interpreter {
             classified,
             believed_from_real,
             events,
-            contact_share,
+            contact_share: contact_share.filter(|share| *share > 0.0 || has_plane),
             doubts,
             stiffness,
             found_stiffness,
