@@ -173,7 +173,7 @@ impl PyExecutor<'_> {
 
 impl Executor for PyExecutor<'_> {
     fn prepare(&mut self, cell: &Workcell) -> Result<(), ExecutorError> {
-        if let Err(error) = self.call_prepare(cell) {
+        if let Err(error) = max_silence(&self.object).and_then(|_| self.call_prepare(cell)) {
             return self.raise(error);
         }
         let object = self.object.clone().unbind();
@@ -290,13 +290,15 @@ fn max_silence(object: &Bound<'_, PyAny>) -> PyResult<Option<Duration>> {
     let Some(stated) = stated.filter(|stated| !stated.is_none()) else {
         return Ok(None);
     };
-    let seconds: f64 = stated.extract()?;
     let [least, most] = MAX_SILENCE_S;
-    if (least..=most).contains(&seconds) {
-        Ok(Some(Duration::from_secs_f64(seconds)))
-    } else {
-        let wanted = format!("a time of {least} to {most} s");
-        Err(refused("max_silence_s", seconds, wanted))
+    match stated.extract::<f64>() {
+        Ok(seconds) if (least..=most).contains(&seconds) => {
+            Ok(Some(Duration::from_secs_f64(seconds)))
+        }
+        _ => {
+            let wanted = format!("a time of {least} to {most} s");
+            Err(refused("max_silence_s", stated.str()?, wanted))
+        }
     }
 }
 

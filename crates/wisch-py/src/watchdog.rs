@@ -9,7 +9,9 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// Interval of the checks.
-const LOOK: Duration = Duration::from_millis(20);
+const LOOK: Duration = Duration::from_millis(5);
+/// Time that an interrupted executor has to stop, beyond the limit.
+const TIME_TO_STOP: Duration = Duration::from_secs(5);
 /// Longest pause of a motion: a year.
 const LONGEST_PAUSE: Duration = Duration::from_secs(31_557_600);
 
@@ -61,8 +63,9 @@ impl Watchdog {
                         let _ = interrupt(py, ident, is_main);
                     }
                 });
-                // An executor that catches the interrupt gets another.
-                *watched.last.lock().unwrap_or_else(PoisonError::into_inner) = Instant::now();
+                // An executor that catches the interrupt gets another, but first has time to stop its robot.
+                let next = Instant::now() + TIME_TO_STOP;
+                *watched.last.lock().unwrap_or_else(PoisonError::into_inner) = next;
             }
         });
         Ok(Some(Self {

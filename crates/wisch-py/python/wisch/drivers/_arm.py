@@ -40,7 +40,7 @@ class Arm(Executor):
     #: Ends of the names of the joints, in the order of the controller.
     JOINTS: tuple[str, ...] = ()
 
-    #: Longest silence during a motion that wisch permits a served driver [s]: longer than any hold takes.
+    #: Longest silence during a motion that wisch permits a driver [s]: longer than any hold takes.
     max_silence_s = 5.0
     #: wisch never keeps the loop of setpoints waiting, pauses it on request, and learns the time of the robot's clock.
     is_real_time, can_pause, stamp_clock = True, True, "device"
