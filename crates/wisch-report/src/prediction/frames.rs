@@ -155,7 +155,9 @@ impl PlaceGrid {
                 axes.all(|(index, last)| index % step == (step / 2).min(last))
             };
             let kept: Vec<usize> = (0..places.len()).filter(is_kept).collect();
-            if kept.len() <= most {
+            // A step beyond all rows and columns would keep no more.
+            if kept.len() <= most || step > counts[0].max(counts[1]) {
+                let kept = kept.into_iter().take(most).collect();
                 let cell = gaps.map(|gap| step as f64 * gap);
                 return Self { kept, cell };
             }

@@ -57,6 +57,9 @@ pub(super) struct Truth {
     round: usize,
     performance: Option<f64>,
     particles: Option<Vec<i64>>,
+    /// Number of particles on the surface, of which `particles` may be a part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remaining: Option<usize>,
     /// True values of the treated places, in steps.
     #[serde(skip_serializing_if = "Option::is_none")]
     treated: Option<Vec<i64>>,
@@ -125,6 +128,7 @@ impl EventRecord {
 
 impl Truth {
     pub(super) fn new(truth: &RoundTruth<'_>, places: Option<&TreatedPlaces>) -> Self {
+        let dirt = truth.particles.filter(|_| places.is_none());
         Self {
             piece: "truth",
             round: truth.round,
@@ -133,6 +137,7 @@ impl Truth {
                 Some(_) => None,
                 None => truth.particles.map(flat_remaining),
             },
+            remaining: dirt.map(|particles| particles.remaining().count()),
             treated: places
                 .zip(truth.particles)
                 .and_then(|(places, surface)| places.values(surface)),

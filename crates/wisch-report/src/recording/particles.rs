@@ -14,6 +14,10 @@ const MAX_SHOWN: usize = 1_500;
 const DENSITY_CELL: f64 = 0.01;
 /// Smallest expected number of particles of a shown cell.
 const LEAST_EXPECTED: f64 = 0.02;
+/// Largest share of the dirt in cells that a density leaves out [1].
+const MAX_HIDDEN: f64 = 0.02;
+/// Number of cells that are never merged.
+const FEW_CELLS: usize = 4;
 /// Maximum number of cells of a density.
 const MAX_CELLS: usize = 4_000;
 /// Maximum number of changes of particles in a round.
@@ -97,41 +101,60 @@ pub(super) struct DensityRecord {
     places: Vec<i64>,
     /// Expected number of particles in each cell.
     expected: Vec<f64>,
+    /// Expected number of particles on the surface, also in cells that are left out.
+    remaining: f64,
     /// Expected number of particles in the goal area, where dirt is collected.
     #[serde(skip_serializing_if = "Option::is_none")]
     goal: Option<f64>,
 }
 
-/// Returns the expected number of particles on the surface in each cell; cells that hold next to none are left out. The
-/// cells are as small as [`MAX_CELLS`] allows.
+/// Returns the expected number of particles on the surface in each cell. The cells are as small as [`MAX_CELLS`] and
+/// [`MAX_HIDDEN`] allow; of those that hold next to nothing, at most this share of the dirt is left out.
 pub(super) fn find_density(belief: &Belief, goal: &GoalState, surface: &Surface) -> DensityRecord {
-    let collects = matches!(goal, GoalState::Collected { .. });
-    let in_goal = |member: &ParticleDistribution| {
-        Performance::evaluate(member, goal, surface).achieved as f64
+    let mean = |value: &dyn Fn(&ParticleDistribution) -> usize| {
+        let total: f64 = belief.weights().iter().sum();
+        let weighted = (belief.members().iter().zip(belief.weights()))
+            .map(|(member, weight)| weight * value(member) as f64);
+        weighted.fold(0.0, |sum, value| sum + value) / total
     };
+    let collects = matches!(goal, GoalState::Collected { .. });
+    let in_goal =
+        |member: &ParticleDistribution| Performance::evaluate(member, goal, surface).achieved;
+    let remaining = mean(&|member| member.remaining().count());
     let mut cell = DENSITY_CELL;
-    loop {
-        let found = count_expected(belief, cell);
-        if found.len() <= MAX_CELLS {
-            let (places, expected): (Vec<[i64; 2]>, Vec<f64>) = (found.into_iter())
-                .map(|(index, count)| (index.map(|side| tenth((side as f64 + 0.5) * cell)), count))
-                .unzip();
-            return DensityRecord {
-                cell,
-                places: places.into_flattened(),
-                expected,
-                goal: collects.then(|| round_to(find_mean(belief, in_goal), 1e2)),
-            };
+    let mut cells = count_expected(belief, cell);
+    let shown = loop {
+        let shown: Vec<([i64; 2], f64)> = (cells.iter())
+            .filter(|(_, count)| **count >= LEAST_EXPECTED)
+            .map(|(index, count)| (*index, round_to(*count, 1e2)))
+            .collect();
+        let held: f64 = shown
+            .iter()
+            .map(|(_, count)| count)
+            .fold(0.0, |sum, count| sum + count);
+        let is_complete = held >= (1.0 - MAX_HIDDEN) * remaining || cells.len() <= FEW_CELLS;
+        if shown.len() <= MAX_CELLS && is_complete {
+            break shown;
         }
         cell *= 2.0;
+        let mut wider = BTreeMap::new();
+        for (index, count) in cells {
+            *wider
+                .entry(index.map(|side: i64| side.div_euclid(2)))
+                .or_default() += count;
+        }
+        cells = wider;
+    };
+    let (places, expected): (Vec<[i64; 2]>, Vec<f64>) = (shown.into_iter())
+        .map(|(index, count)| (index.map(|side| tenth((side as f64 + 0.5) * cell)), count))
+        .unzip();
+    DensityRecord {
+        cell,
+        places: places.into_flattened(),
+        expected,
+        remaining: round_to(remaining, 1e2),
+        goal: collects.then(|| round_to(mean(&in_goal), 1e2)),
     }
-}
-
-fn find_mean(belief: &Belief, value: impl Fn(&ParticleDistribution) -> f64) -> f64 {
-    let total: f64 = belief.weights().iter().sum();
-    let weighted = (belief.members().iter().zip(belief.weights()))
-        .map(|(member, weight)| weight * value(member));
-    weighted.sum::<f64>() / total
 }
 
 fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {
@@ -143,10 +166,6 @@ fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {
             *cells.entry(index).or_default() += weight / total;
         }
     }
-    for count in cells.values_mut() {
-        *count = round_to(*count, 1e2);
-    }
-    cells.retain(|_, count| *count >= LEAST_EXPECTED);
     cells
 }
 

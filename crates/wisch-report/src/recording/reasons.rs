@@ -1,4 +1,4 @@
-//! Why a plan looks as it does: what each stroke and one more gain, how the tool is turned, where the base can stand.
+//! Why a plan looks as it does: what each stroke and one more stroke gain, how the tool is turned, where the base can stand.
 
 use super::particles::{flat_remaining, line};
 use super::samples::round_to;
@@ -11,8 +11,10 @@ use wisch::geometry::{PlanarPose, Vector2, wrap_angle};
 use wisch::plan::{Plan, Prediction, Stroke, predict};
 use wisch::represent::{Performance, Task};
 
-/// Largest number of predicted strokes, times particles, for which the plans without one stroke are predicted.
-const MAX_WORK: usize = 8_000_000;
+/// Largest number of strokes, times particles, for which the plans without one stroke are predicted, and that for films, whose
+/// flow is predicted too. Each takes some tenths of a second.
+const MAX_WORK: usize = 100_000;
+const MAX_FILM_WORK: usize = 5_000;
 /// Smallest gain of a repeated stroke that is stated [1].
 const LEAST_GAIN: f64 = 5e-4;
 /// Angle from which a stroke counts as turned against the plan [rad].
@@ -38,7 +40,7 @@ pub(super) struct LeftOut {
 pub(super) struct Repeated {
     gain: f64,
     line: Vec<i64>,
-    /// Way in contact [m].
+    /// Distance in contact [m].
     way: f64,
 }
 
@@ -64,22 +66,24 @@ pub(super) struct Reasons {
 }
 
 impl Reasons {
-    /// Finds the reasons. `wiped`: the plan as the robot wipes it, whose strokes `performance` is predicted for.
+    /// Finds the reasons. `wiped`: the plan as the robot wipes it, with its prediction.
     pub(super) fn new(
         task: &Task,
         plan: &Plan,
         wiped: &Plan,
         followed: Option<&Followed>,
-        performance: &Performance,
+        prediction: &Prediction,
     ) -> Self {
-        let count = wiped.strokes.len();
-        let work = count
-            .saturating_mul(count)
-            .saturating_mul(task.particles.len());
-        let (without, another) = if work <= MAX_WORK {
+        let most = if task.has_running_film() {
+            MAX_FILM_WORK
+        } else {
+            MAX_WORK
+        };
+        let work = wiped.strokes.len().saturating_mul(task.particles.len());
+        let (without, another) = if work <= most {
             (
                 leave_out_each(task, wiped),
-                repeat_best(task, wiped, performance.ratio()),
+                repeat_best(task, wiped, prediction),
             )
         } else {
             (Vec::new(), None)
@@ -132,11 +136,15 @@ fn leave_out_each(task: &Task, wiped: &Plan) -> Vec<LeftOut> {
 }
 
 /// Returns the stroke whose repetition at the end gains most; `None` if none gains.
-fn repeat_best(task: &Task, wiped: &Plan, performance: f64) -> Option<Repeated> {
+fn repeat_best(task: &Task, wiped: &Plan, prediction: &Prediction) -> Option<Repeated> {
+    let whole = prediction.performance.ratio();
+    let after = Task {
+        particles: prediction.particles.clone(),
+        ..task.clone()
+    };
     let gain = |stroke: &Stroke| {
-        let mut strokes = wiped.strokes.clone();
-        strokes.push(stroke.clone());
-        predict_strokes(task, wiped, strokes).performance.ratio() - performance
+        let found = predict_strokes(&after, wiped, vec![stroke.clone()]);
+        found.performance.ratio() - whole
     };
     let gains = wiped.strokes.iter().map(|stroke| (gain(stroke), stroke));
     let (gain, stroke) = gains
@@ -191,15 +199,15 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
     let [swept, least, widest] =
         [swept, least, widest].map(|width| metres(5.0 * (1e3 * width / 5.0).round(), 0));
     let lane = if least == widest {
-        format!("The tool sweeps a lane of about {swept} mm")
+        format!("The tool covers a lane of about {swept} mm")
     } else {
         format!(
-            "The tool first sweeps a lane of about {swept} mm; its contact area allows {least} to {widest} mm"
+            "The tool first covers a lane of about {swept} mm, of {least} to {widest} mm that its footprint allows"
         )
     };
     match turn_against_plan(task, plan, stroke) {
         Some(turn) if turn.abs() > TURNED => format!(
-            "{lane}. The robot turns it by {} degrees against the plan.",
+            "{lane}. The robot turns the tool by {} degrees against the plan.",
             metres(turn.to_degrees(), 0)
         ),
         _ => format!("{lane}."),

@@ -13,8 +13,8 @@ use crate::prediction::frames::EffectFrames;
 use crate::scene::{MeshRecord, Meshes, Solid, seven};
 use serde::Serialize;
 use wisch::follow::Followed;
-use wisch::plan::{Plan, Strategy};
-use wisch::represent::{GoalState, Performance, ScenePart, Task};
+use wisch::plan::{Plan, Prediction, Strategy};
+use wisch::represent::{GoalState, ScenePart, Task};
 use wisch::run::PlannedRound;
 
 #[derive(Serialize)]
@@ -97,7 +97,7 @@ impl RoundPiece {
             wiped: &wiped,
             followed,
             frames,
-            predicted: planned.prediction.performance,
+            predicted: &planned.prediction,
             why,
         }
         .piece(meshes, written)
@@ -122,7 +122,7 @@ impl RoundPiece {
             wiped: planned.plan,
             followed,
             frames: planned.frames,
-            predicted: planned.prediction.performance,
+            predicted: planned.prediction,
             why,
         }
         .piece(meshes, written)
@@ -186,7 +186,7 @@ struct Shown<'a> {
     wiped: &'a Plan,
     followed: Option<&'a Followed>,
     frames: &'a EffectFrames,
-    predicted: Performance,
+    predicted: &'a Prediction,
     why: Vec<String>,
 }
 
@@ -242,8 +242,8 @@ impl Shown<'_> {
             phases: followed.map_or_else(Vec::new, phases),
             press_force: (self.kind == "executed")
                 .then(|| round_to(task.interaction.press_force_n, 1e3)),
-            predicted: Some(round_to(self.predicted.ratio(), 1e4)),
-            lost: Some(find_lost_share(&self.predicted)),
+            predicted: Some(round_to(self.predicted.performance.ratio(), 1e4)),
+            lost: Some(find_lost_share(&self.predicted.performance)),
             growth: growth.collect(),
             // The places of a treated surface rest: their values change.
             particles: match treated {
@@ -256,7 +256,7 @@ impl Shown<'_> {
             }),
             why: self.why,
             considered: Vec::new(),
-            reasons: Reasons::new(task, self.plan, wiped, followed, &self.predicted),
+            reasons: Reasons::new(task, self.plan, wiped, followed, self.predicted),
             log: None,
             meshes: meshes.since(written),
         }

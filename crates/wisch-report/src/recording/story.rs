@@ -186,7 +186,15 @@ fn summarise_execution(
     let found = &last.interpretation;
     let count = words::format_count(rounds, "round");
     let truth = outcome.truth.map_or_else(String::new, |share| {
-        format!(" Ground truth in the simulated world: {}.", percent(share))
+        let reaches = if share >= outcome.target {
+            "reaches"
+        } else {
+            "misses"
+        };
+        format!(
+            " Ground truth in the simulated world: {}, which {reaches} the target.",
+            percent(share)
+        )
     });
     let senses = match found.observation {
         Some(_) => "touch and sight",

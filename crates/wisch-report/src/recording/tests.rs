@@ -158,10 +158,23 @@ fn a_density_counts_the_particles_that_remain() {
     let sum: f64 = expected
         .map(|count| count.as_f64().expect("a number"))
         .sum();
-    assert!((sum - 75.0).abs() < 0.5, "{sum}");
+    assert!((sum - 75.0).abs() < 0.1, "{sum}");
+    assert_eq!(found["remaining"], 75.0);
     // Ten or eleven of the places are within 15 mm, in three of four members.
     let in_goal = found["goal"].as_f64().expect("a number");
     assert!((7.5..=8.25).contains(&in_goal), "{in_goal}");
+    // Thinly spread dirt has wider cells, and is not left out.
+    let far = |k: usize| vec![(Point2::new(0.004 * k as f64 - 0.2, 0.01), Fate::OnSurface)];
+    let thin = (0..100).map(|k| ParticleDistribution::with_fates(&far(k)).expect("finite"));
+    let thin = Belief::from_members(thin.collect()).expect("the same places");
+    let spread = serde_json::to_value(particles::find_density(&thin, &goal, &task.surface));
+    let spread = spread.expect("numbers");
+    let held = spread["expected"].as_array().expect("numbers").iter();
+    let held: f64 = held.map(|count| count.as_f64().expect("a number")).sum();
+    assert!(
+        held > 0.97 && spread["cell"].as_f64() >= Some(0.01),
+        "{spread}"
+    );
     let cells = found["places"].as_array().expect("numbers").len() / 2;
     assert_eq!((&found["cell"], cells), (&0.01.into(), 15));
 }

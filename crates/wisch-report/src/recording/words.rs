@@ -92,23 +92,33 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
 fn explain_placement(followed: &Followed) -> Option<String> {
     let first = followed.placements.first()?;
     let poses = format_count(followed.placements.len(), "base pose");
-    let standing = followed.rated.iter().filter(|pose| pose.rating.is_some());
-    let count = standing.clone().count();
-    let best = standing.filter_map(|pose| pose.rating).fold(0.0, f64::max);
-    let mut chosen = followed
-        .rated
-        .iter()
-        .filter(|pose| pose.world_from_base == first.world_from_base);
-    Some(match chosen.next().and_then(|pose| pose.rating) {
+    let ratings = followed.rated.iter().filter_map(|place| place.rating);
+    let standing = ratings.clone().count();
+    if standing == 0 {
+        return None;
+    }
+    let best = ratings.fold(0.0, f64::max);
+    let chosen = (followed.rated.iter())
+        .find(|place| place.world_from_base == first.world_from_base)
+        .and_then(|place| place.rating);
+    let reach = match chosen {
+        Some(share) if share >= best => {
+            format!(
+                "From the first, {} of the path is in reach, the most of",
+                percent(share)
+            )
+        }
         Some(share) => format!(
-            "The robot works from {poses}. From the first, {} of the path is in reach; it can stand at {} of the base poses that were rated, which reach at most {}.",
+            "From the first, {} of the path is in reach, and at most {} from",
             percent(share),
-            grouped(count),
             percent(best)
         ),
-        None if followed.placements.len() > 1 => format!("The robot works from {poses}."),
-        None => return None,
-    })
+        None => format!("At most {} of the path is in reach from", percent(best)),
+    };
+    Some(format!(
+        "The robot works from {poses}. {reach} the {} places at which it can stand.",
+        grouped(standing)
+    ))
 }
 
 /// Summarises the check of a motion.
@@ -172,7 +182,7 @@ fn describe_verdict(round: &Round, target: f64) -> String {
     let claim = Claim::assess(&round.interpretation.distribution, target);
     match round.verdict {
         Verdict::GoalMet => format!("The goal is met: {claim}."),
-        Verdict::Again => format!("The goal is not met yet: {claim}."),
+        Verdict::Again => format!("The estimate does not reach the target: {claim}."),
         Verdict::NoProgress => {
             format!("The goal is not met ({claim}), and this round did not raise the estimate.")
         }
