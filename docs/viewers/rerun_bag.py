@@ -86,7 +86,7 @@ def archetype(marker):
 
 
 def log_markers(path, recording):
-    framed = set()
+    frames = {}
     for topic, time, message in messages(path, MARKER_TOPICS):
         recording.set_time(TIMELINE, duration=np.timedelta64(time, "ns"))
         many = hasattr(message, "markers")
@@ -94,11 +94,13 @@ def log_markers(path, recording):
             entity = f"{topic}/{marker.ns}/{marker.id}" if many else topic
             if marker.action == DELETE:
                 recording.log(entity, rr.Clear(recursive=False))
-                framed.discard(entity)
+                # The entity keeps its frame: Rerun reports an entity without one as an error.
+                if entity in frames:
+                    recording.log(entity, rr.CoordinateFrame(frames[entity]))
                 continue
-            if entity not in framed:
-                recording.log(entity, rr.CoordinateFrame(marker.header.frame_id))
-                framed.add(entity)
+            if entity not in frames:
+                frames[entity] = marker.header.frame_id
+                recording.log(entity, rr.CoordinateFrame(frames[entity]))
             recording.log(entity, archetype(marker))
 
 
@@ -138,6 +140,22 @@ def shapes_of_robot(path):
     return {}
 
 
+def make_solid(path, recording):
+    """Makes the robot's boxes, cylinders and spheres solid; Rerun draws them translucent."""
+    solid = {"box": rr.Boxes3D, "cylinder": rr.Cylinders3D, "sphere": rr.Ellipsoids3D}
+    for _, _, message in messages(path, ["/robot_description"]):
+        robot = ElementTree.fromstring(message.data)
+        for link in robot.iter("link"):
+            for i, visual in enumerate(link.findall("visual")):
+                opacity = visual.find("material/color")
+                if opacity is not None and float(opacity.get("rgba").split()[3]) < 1.0:
+                    continue
+                for kind, shape in solid.items():
+                    if visual.find(f"geometry/{kind}") is not None:
+                        entity = f"/{robot.get('name')}/visual_geometries/{link.get('name')}/visual_{i}"
+                        recording.log(entity, shape.from_fields(fill_mode=rr.components.FillMode.Solid), static=True)
+
+
 def blueprint(path):
     shapes = {entity: rrb.EntityBehavior(visible=shown) for entity, shown in shapes_of_robot(path).items()}
     return rrb.Blueprint(
@@ -171,6 +189,7 @@ def convert(path, recording):
         recover=Path(path).suffix == ".active",
     )
     rr.send_chunks(reader.stream(), recording=recording)
+    make_solid(path, recording)
     log_markers(path, recording)
     log_curves(path, recording)
 

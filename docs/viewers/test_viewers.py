@@ -183,6 +183,20 @@ def test_the_blueprint_shows_the_robot_by_its_visual_shapes_or_else_by_those_for
     assert visible == {"visual": has_visual, "collision": not has_visual}
 
 
+def test_a_deleted_marker_keeps_its_frame_and_the_robot_is_solid(saved, topics):
+    cleared, framed, solid = [], [], set()
+    for chunk in saved.stream().to_chunks():
+        table = chunk.to_record_batch()
+        for name in table.schema.names:
+            if chunk.entity_path == "/force" and name in ("Clear:is_recursive", "CoordinateFrame:frame"):
+                (cleared if name.startswith("Clear") else framed).extend(table.column(rerun_bag.TIMELINE).to_pylist())
+            if name.endswith(":fill_mode") and "/visual_geometries/" in chunk.entity_path:
+                solid.add(chunk.entity_path)
+    assert cleared and set(cleared) <= set(framed)
+    robot = topics["/robot_description"][0][1].data
+    assert bool(solid) == ("<visual>" in robot and "<mesh" not in robot)
+
+
 def test_curves_are_as_long_as_the_bag(recording, duration_s):
     for entity in ["/curves/force_n/measured_z", "/curves/height_mm/measured"]:
         times, _ = rows(recording, entity, "Scalars:scalars")
