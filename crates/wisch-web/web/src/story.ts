@@ -54,7 +54,7 @@ export class Story {
   constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
-      el("div", { class: "w-told" }, this.pictures, this.texts), this.incidents);
+      el("div", { class: "w-told" }, this.pictures, this.texts, this.incidents));
     this.stop = recording.onChange((piece) => {
       if (!piece || piece.piece !== "samples") this.ask();
     });
