@@ -12,7 +12,7 @@ use wisch::plan::{Plan, Prediction, Stroke, predict};
 use wisch::represent::{Performance, Task};
 
 /// Largest number of strokes, times particles, for which the plans without one stroke are predicted, and that for films, whose
-/// flow is predicted too. Each takes some tenths of a second.
+/// flow is predicted too. Either takes some tenths of a second.
 const MAX_WORK: usize = 100_000;
 const MAX_FILM_WORK: usize = 5_000;
 /// Smallest gain of a repeated stroke that is stated [1].
@@ -47,7 +47,7 @@ pub(super) struct Repeated {
 /// Base poses that were rated, and the indices of the chosen ones.
 #[derive(Debug, Serialize)]
 pub(super) struct RatedBases {
-    /// x, y [m], heading [rad] in the world, share of the path in reach.
+    /// x, y [m], heading [rad] in the world, share of the path in reach: of the rest of the path for a later base.
     poses: Vec<[f64; 4]>,
     chosen: Vec<usize>,
 }

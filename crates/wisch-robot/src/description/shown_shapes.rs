@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn visual_geometry_and_other_texts_stay_as_they_are() {
+    fn a_urdf_with_visuals_or_broken_xml_is_unchanged() {
         let shown = show_collision_shapes(BARE, "hand").into_owned();
         assert_eq!(show_collision_shapes(&shown, "hand"), shown);
         assert_eq!(show_collision_shapes("<robot", "hand"), "<robot");

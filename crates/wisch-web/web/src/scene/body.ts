@@ -7,14 +7,10 @@ import { mergeGeometries, mergeVertices } from "three/examples/jsm/utils/BufferG
 import { addGrip } from "./grip.ts";
 import type { Held } from "./grip.ts";
 import { alongAxis, distanceTo, makePatch, turn } from "./shell.ts";
-import type { Profile, Rod, Shell } from "./shell.ts";
+import type { Add, Finish, Profile, Rod, Shell } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
 import { Tree } from "./tree.ts";
 import type { Head, JointRecord, MeshRecord, RobotRecord, Solid } from "../recording.ts";
-
-/** Materials of a body. */
-export type Finish = "casing" | "joint" | "ring" | "handle";
-export type Add = (finish: Finish, geometry: BufferGeometry, at?: Matrix4) => void;
 
 /** The parts of a link by material, in its frame. */
 export type Body = Partial<Record<Finish, BufferGeometry>>;

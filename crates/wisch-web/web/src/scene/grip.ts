@@ -2,8 +2,7 @@
 import { BoxGeometry, CapsuleGeometry, Matrix4, SphereGeometry, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import { Z, alongAxis, turn } from "./shell.ts";
-import type { Add } from "./body.ts";
-import type { Rod } from "./shell.ts";
+import type { Add, Rod } from "./shell.ts";
 
 /** The tool as a hand sees it: the middle of its back, its normal away from the surface, its narrower side, and the sides' lengths [m]. */
 export interface Held {

@@ -2,7 +2,7 @@
 import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import type { BufferGeometry, Material } from "three";
 import { makeBody } from "./body.ts";
-import type { Finish } from "./body.ts";
+import type { Finish } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
 import { Tree } from "./tree.ts";
 import type { Head, MeshRecord, Pose, Rgba, RobotRecord, Solid } from "../recording.ts";

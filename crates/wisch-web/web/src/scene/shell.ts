@@ -1,6 +1,10 @@
 // Surfaces of which a robot's body is made: turned profiles, and shells round blended shapes.
 import { BufferAttribute, BufferGeometry, Matrix4, Quaternion, Vector3 } from "three";
 
+/** Materials of a body. */
+export type Finish = "casing" | "joint" | "ring" | "handle";
+export type Add = (finish: Finish, geometry: BufferGeometry, at?: Matrix4) => void;
+
 export const Z = new Vector3(0, 0, 1);
 
 /** A capsule's axis between the middles of its caps, and its radius [m]. */
