@@ -122,9 +122,10 @@ fn a_plan_has_reasons() {
     }
     let loses = |left_out: &Value| share(&left_out["performance"]) < whole;
     assert!(without.iter().any(loses), "some stroke is needed");
-    if let Some(another) = round.get("another") {
-        assert!(share(&another["gain"]) > 0.0);
-    }
+    assert_eq!(whole, 1.0);
+    assert!(round.get("another").is_none(), "nothing is left to gain");
+    let bases = &round["bases"];
+    assert_eq!(bases, &Value::Null, "the arm stands still");
 }
 
 #[test]
