@@ -22,6 +22,7 @@ mod mesh_files;
 mod patches;
 mod plain_output;
 mod plans;
+mod press_force;
 mod program;
 mod recording;
 mod robot;

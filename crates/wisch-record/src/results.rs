@@ -132,18 +132,36 @@ impl RunResults {
         }));
     }
 
-    /// Whether the goal is met: by the last round's estimate, or without executed rounds by the prediction.
+    /// Whether the goal is met: by the last round's estimate, or without executed rounds by the prediction, if particles
+    /// react as it assumes.
     pub fn is_goal_met(&self, target: f64) -> bool {
-        match (self.rounds.last(), &self.following, &self.predicted) {
-            (Some(last), ..) => last.round.verdict == Verdict::GoalMet,
-            (None, Some(following), _) if !following.audit.faults.is_empty() => false,
-            (None, _, Some((prediction, _))) => {
+        if let Some(last) = self.rounds.last() {
+            return last.round.verdict == Verdict::GoalMet;
+        }
+        self.is_predicted(target) && !self.needs_stronger_reaction(target)
+    }
+
+    /// Whether the prediction reaches the target, but fewer particles than the target react to the press force, which the
+    /// prediction does not count. Never so after an executed round.
+    pub fn depends_on_reaction(&self, target: f64) -> bool {
+        self.rounds.is_empty() && self.is_predicted(target) && self.needs_stronger_reaction(target)
+    }
+
+    fn needs_stronger_reaction(&self, target: f64) -> bool {
+        self.predicted.is_some() && self.task.interaction.reaction_probability() < target
+    }
+
+    /// Whether the target is reached if every particle under the tool reacts.
+    fn is_predicted(&self, target: f64) -> bool {
+        match (&self.following, &self.predicted) {
+            (Some(following), _) if !following.audit.faults.is_empty() => false,
+            (_, Some((prediction, _))) => {
                 let is_exceeded = (self.task.treatment).is_some_and(|treatment| {
                     treatment.exceeds_limit([(&prediction.particles, 1.0)], target)
                 });
                 prediction.performance.ratio() >= target && !is_exceeded
             }
-            (None, _, None) => true,
+            (_, None) => true,
         }
     }
 

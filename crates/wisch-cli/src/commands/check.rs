@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
-use wisch::represent::{Action, GoalState, SurfaceShape, Task};
+use wisch::represent::{Action, GoalState, SurfaceShape, Task, describe_weak_reaction};
 use wisch::run::{NoExecutor, Stage, check_score, ignore_events};
 use wisch_io::{KeptFiles, LoadedTask, ShapeRecord};
 
@@ -279,6 +279,8 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         )),
     }
     lines.push(("target", prospect(prepared, prediction, abandons)));
+    let weak = describe_weak_reaction(task.interaction.reaction_probability());
+    lines.extend(weak.map(|sentence| ("reaction", sentence)));
     let mut text = format!("{}: {heading}\n", task.name);
     for (name, value) in lines {
         text += &format!("  {name:<10} {value}\n");

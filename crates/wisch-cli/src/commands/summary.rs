@@ -5,7 +5,7 @@ use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::{Verdict, assess_goal};
-use wisch::represent::{ParticleDistribution, Treatment};
+use wisch::represent::{ParticleDistribution, Treatment, describe_weak_reaction};
 use wisch_io::{
     BendContactRecord, FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
     TreatmentSummary,
@@ -59,6 +59,7 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
                 target_performance,
                 goal_met: results.is_goal_met(target_performance),
                 goal: goal_in_words(results, target_performance),
+                reaction_probability: task.interaction.reaction_probability(),
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             }
         }),
@@ -79,6 +80,7 @@ fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
     match goal_of(&results.rounds, target) {
         _ if results.is_goal_met(target) => "met",
         Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
+        None if results.depends_on_reaction(target) => "unknown",
         _ => "not met",
     }
 }
@@ -146,6 +148,7 @@ fn performance_in_words(
         {
             "not met: too many points above max_passes"
         }
+        None if prediction.goal == "unknown" => "unknown, see reaction",
         _ => prediction.goal,
     };
     let what = if summary.treatment.is_some() {
@@ -173,6 +176,10 @@ pub(super) fn in_words(
             "performance",
             performance_in_words(summary, prediction, rounds),
         ));
+        if rounds.is_empty() {
+            let weak = describe_weak_reaction(prediction.reaction_probability);
+            lines.extend(weak.map(|sentence| ("reaction", sentence)));
+        }
         if let Some(following) = &summary.following {
             lines.extend(faults_in_words(
                 following.faults,

@@ -118,8 +118,11 @@ pub struct PredictionSummary {
     pub target_performance: f64,
     /// Whether the target is reached: by the last round's estimate, or without execution by the prediction.
     pub goal_met: bool,
-    /// met, not met, or unknown: the last round allows no estimate, or touch cannot decide.
+    /// met, not met, or unknown: the last round allows no estimate, touch cannot decide, or without an executed round fewer
+    /// particles than the target react to the press force.
     pub goal: &'static str,
+    /// Probability that a particle reacts when the tool first touches it at the press force; the prediction assumes 1.
+    pub reaction_probability: f64,
     /// Predicted share lost over an edge that is not a skim edge.
     pub lost_share: f64,
 }

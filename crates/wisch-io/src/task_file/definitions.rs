@@ -230,6 +230,13 @@ impl TaskFile {
         };
         // An entry for all surfaces stays unchanged for other surfaces.
         interaction.surface = SurfaceScope::Named(surface.to_owned());
+        let remark = (!is_assumed)
+            .then(|| overrides.given.press(&mut interaction))
+            .flatten();
+        assumed.extend(remark);
+        if let Some(tool) = &defined.tool {
+            interaction.compression_depth_m = tool.compression_depth_m;
+        }
         let kept = overrides.given.apply(&mut interaction);
         knowledge.insert_interaction(interaction).map_err(unknown)?;
         if is_assumed && !kept.is_empty() {
@@ -271,6 +278,25 @@ impl Definitions {
 }
 
 impl InteractionTable {
+    /// Sets the given force in an interaction that is known at another one, and returns a sentence on what is assumed of the
+    /// likelihood; `None` if the file states it, or no other force.
+    fn press(&self, known: &mut Interaction) -> Option<String> {
+        let force = self.press_force_n.as_ref()?.0;
+        let before = known.press_force_n;
+        if force == before || known.hovers() {
+            return None;
+        }
+        known.press_with(force);
+        if self.mu.is_some() {
+            return None;
+        }
+        Some(format!(
+            "interaction.press_force_n is {force} N, and the knowledge base has the likelihood at {before} N: assuming that the particles need the same force, interaction.mu = {:.3}, so that {:.1} % of them react when the tool first touches them",
+            known.likelihood.mu,
+            100.0 * known.reaction_probability()
+        ))
+    }
+
     /// Sets the given values in an interaction, and returns `key = value` of each force, stiffness, damping, weight, depth
     /// and likelihood parameter that is not given.
     fn apply(&self, to: &mut Interaction) -> Vec<String> {

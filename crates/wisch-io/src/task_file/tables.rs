@@ -224,7 +224,8 @@ names! {
 pub(super) struct InteractionTable {
     /// Actions that suit tool, medium and surface; default: all.
     pub(super) actions: Option<At<Vec<ActionName>>>,
-    /// Force with which the tool is pressed on [N]; default 10.
+    /// Force with which the tool is pressed on [N]; default 10. If the knowledge base has another one, its `mu` and its
+    /// compression are converted, so that they hold in newtons.
     pub(super) press_force_n: Option<PressForceN>,
     /// Cartesian stiffness of the controller [N/m]; default 500.
     pub(super) stiffness_n_per_m: Option<Stiffness>,

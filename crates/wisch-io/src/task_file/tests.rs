@@ -2,7 +2,7 @@ use super::*;
 use crate::KnowledgeSource;
 use proptest::prelude::*;
 use wisch::geometry::Vector2;
-use wisch::represent::{ScenePart, Task};
+use wisch::represent::{Interaction, ScenePart, Task};
 
 mod execution;
 mod faults;
@@ -456,17 +456,65 @@ fn a_task_may_override_what_the_knowledge_has() {
     let file = parsed(&text).unwrap();
     let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
     let before = (knowledge.interaction("sponge", "breadcrumbs", "table")).cloned();
-    assert_eq!(file.extend(&mut knowledge).unwrap(), [] as [String; 0]);
+    let assumed = file.extend(&mut knowledge).unwrap();
     let now = knowledge
         .interaction("sponge", "breadcrumbs", "table")
         .unwrap();
     assert_eq!((now.press_force_n, now.compression_depth_m), (4.0, 0.0));
-    assert_eq!(now.likelihood, before.unwrap().likelihood);
+    // The thresholds stay the same in newtons.
+    let newtons = |known: &Interaction| known.likelihood.mu.exp() * known.press_force_n;
+    let before = before.unwrap();
+    assert!((newtons(now) - newtons(&before)).abs() < 1e-12);
+    assert_eq!(now.likelihood.sigma, before.likelihood.sigma);
+    assert_eq!(
+        assumed,
+        [
+            "interaction.press_force_n is 4 N, and the knowledge base has the likelihood at 10 N: assuming that the particles need the same force, interaction.mu = -0.134, so that 70.4 % of them react when the tool first touches them"
+        ]
+    );
     // Elsewhere it is what it was.
     let board = knowledge
         .interaction("sponge", "breadcrumbs", "chopping_board")
         .unwrap();
     assert_eq!(board.press_force_n, 10.0);
+}
+
+#[test]
+fn a_force_alone_scales_the_compression_and_a_given_likelihood_holds() {
+    let known = |interaction: &str| {
+        let file = parsed(&format!("{SMALL}[interaction]\n{interaction}\n")).unwrap();
+        let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
+        let assumed = file.extend(&mut knowledge).unwrap();
+        let now = knowledge.interaction("sponge", "breadcrumbs", "table");
+        (now.unwrap().clone(), assumed.len())
+    };
+    let (declared, _) = known("press_force_n = 10");
+    let (gentle, said) = known("press_force_n = 5");
+    let stiffness = |known: &Interaction| known.press_force_n / known.compression_depth_m;
+    assert_eq!((stiffness(&gentle), said), (stiffness(&declared), 1));
+    let (hard, _) = known("press_force_n = 40");
+    assert_eq!(
+        hard.compression_depth_m,
+        2.0 * declared.compression_depth_m,
+        "foam bottoms out"
+    );
+    let (stated, said) = known("press_force_n = 5\nmu = -1.0");
+    assert_eq!((stated.likelihood.mu, said), (-1.0, 0));
+    let (same, said) = known("press_force_n = 10");
+    assert_eq!((&same.likelihood, said), (&declared.likelihood, 0));
+}
+
+#[test]
+fn a_tool_that_a_task_defines_keeps_its_compression_beside_a_known_interaction() {
+    let text = SMALL.replace(
+        "[tool]\nname = \"sponge\"",
+        "[tool]\nname = \"sponge\"\nfootprint_m = [0.06, 0.12]\ncompression_depth_m = 0.001",
+    );
+    assert_ne!(text, SMALL);
+    let mut knowledge = KnowledgeSource::BuiltIn.base().unwrap();
+    parsed(&text).unwrap().extend(&mut knowledge).unwrap();
+    let now = knowledge.interaction("sponge", "breadcrumbs", "table");
+    assert_eq!(now.unwrap().compression_depth_m, 0.001);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::draw::percent;
 use crate::rounds::words::format_estimate;
 use serde::Serialize;
 use wisch::recover::{Claim, Verdict, assess_goal};
-use wisch::represent::Task;
+use wisch::represent::{Task, describe_weak_reaction};
 use wisch::run::{AfterStop, Ending, Round};
 
 /// Largest limit of rounds.
@@ -301,15 +301,17 @@ fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
 }
 
 fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
+    let weak = describe_weak_reaction(outcome.task.interaction.reaction_probability());
     Story {
         asked,
         happened: format!(
             "Nothing was executed. Predicted performance of the plan: {}.",
             percent(outcome.predicted)
         ),
-        sure:
-            "This is a prediction. It assumes that dirt, tool and surface are as the task states."
-                .to_owned(),
+        sure: format!(
+            "This is a prediction. It assumes that dirt, tool and surface are as the task states{}.",
+            weak.map_or_else(String::new, |sentence| format!("; {sentence}"))
+        ),
         surer: "Execute the plan with a robot: wisch run.".to_owned(),
         next: None,
     }

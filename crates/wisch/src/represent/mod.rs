@@ -37,7 +37,8 @@ pub use knowledge::{
     Action, AngleRange, AreaOfEffect, DirtFriction, DirtMobility, Effect, GrainSize, Grip,
     Interaction, KnowledgeBase, KnowledgeError, Liquid, LiquidFilm, LogNormal, LogNormalSpread,
     MediumEntry, MediumKind, Mount, Place, RankedTool, Redraw, SecondGrip, SurfaceEntry,
-    SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, ToolPace, UnknownName, dirt_friction,
+    SurfaceScope, TiltFreedom, ToolEntry, ToolMesh, ToolPace, UnknownName, describe_weak_reaction,
+    dirt_friction,
 };
 pub use mesh_shape::{MeshShape, PatchOfMesh, principal_curvatures};
 pub use metrics::{GoalState, Performance, THICKNESS_TOLERANCE};

@@ -16,6 +16,7 @@ pub use grip::{Grip, Mount, SecondGrip};
 pub use likelihood::{LogNormal, LogNormalSpread, Redraw};
 pub use mobility::{DirtFriction, DirtMobility, Liquid, LiquidFilm, ToolPace, dirt_friction};
 
+use super::MAX_PRESSURE;
 use crate::geometry::Vector3;
 
 /// Action of a wiping task (§3.1).
@@ -314,6 +315,34 @@ impl Interaction {
         self.gap_m > 0.0
     }
 
+    /// Sets the force with which the tool presses \[N\], above 0, for a tool whose effect is known at another force. Thresholds
+    /// of particles and stiffness of the tool stay the same in newtons: the likelihood, which is stated over the press
+    /// force, shifts by the logarithm of the ratio, and the compression scales by the ratio, up to twice itself, where
+    /// foam bottoms out. A hovering tool does not press, so that only the force that holds it changes.
+    ///
+    /// ```
+    /// use wisch::represent::Interaction;
+    /// let mut gentle = Interaction::assume("sponge", "crumbs");
+    /// assert!(gentle.reaction_probability() > 0.99);
+    /// gentle.press_with(3.0);
+    /// assert!(gentle.reaction_probability() < 0.3);
+    /// assert!((gentle.compression_depth_m - 0.0015).abs() < 1e-12);
+    /// ```
+    pub fn press_with(&mut self, force_n: f64) {
+        let ratio = force_n / self.press_force_n;
+        if ratio != 1.0 && !self.hovers() {
+            self.likelihood.mu -= libm::log(ratio);
+            self.compression_depth_m *= ratio.min(MAX_PRESSURE);
+        }
+        self.press_force_n = force_n;
+    }
+
+    /// Returns the probability that a particle reacts when the tool first touches it at the press force, P(X ≤ 1) of
+    /// equation 12 \[1\]. Predictions assume that every particle does.
+    pub fn reaction_probability(&self) -> f64 {
+        self.likelihood.probability(NOMINAL_FORCE)
+    }
+
     /// Nominal force of the tool on the surface \[N\]; 0 for a hovering tool.
     pub fn contact_force(&self) -> f64 {
         if self.hovers() {
@@ -322,6 +351,20 @@ impl Interaction {
             self.press_force_n
         }
     }
+}
+
+/// Returns what a prediction leaves out, as a sentence without its full stop. `None` where at least 95 % of the particles
+/// react.
+///
+/// # Parameters
+/// - `probability`: [`Interaction::reaction_probability`] of the task \[1\].
+pub fn describe_weak_reaction(probability: f64) -> Option<String> {
+    (probability < WEAK_REACTION).then(|| {
+        format!(
+            "by the interaction's likelihood, {:.1} % of the particles react when the tool first passes; the prediction assumes that all do",
+            100.0 * probability
+        )
+    })
 }
 
 /// A tool that can do the requested action, with its probability of success.
@@ -495,7 +538,7 @@ impl KnowledgeBase {
                 interaction.actions.contains(&action).then(|| RankedTool {
                     tool,
                     interaction,
-                    probability: interaction.likelihood.probability(NOMINAL_FORCE),
+                    probability: interaction.reaction_probability(),
                 })
             })
             .collect();
@@ -504,6 +547,8 @@ impl KnowledgeBase {
     }
 }
 
+/// Probability of a reaction below which it is said beside a prediction [1].
+const WEAK_REACTION: f64 = 0.95;
 /// f′ of a contact at nominal force (equation 9).
 const NOMINAL_FORCE: f64 = 1.0;
 
