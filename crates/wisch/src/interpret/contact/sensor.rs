@@ -13,6 +13,8 @@ const CLOCKS: [f64; 3] = [3.0, 0.02, 0.08];
 /// contrast over the usual contact force: a person who pushes now and then gives no clock offset.
 const CLOCK_GAIN: f64 = 1.1;
 const CLOCK_CONTRAST: f64 = 0.8;
+/// Least contrast, over the largest, at which the smaller of two offsets counts [1].
+const CLOCK_TIE: f64 = 0.98;
 
 /// Axes in which the bias of a log's force is constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,9 +90,10 @@ pub(super) fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize
         .iter()
         .map(|&i| (sensed(i).norm(), f64::from(pieces[i].samples)));
     let usual = median(sizes.collect());
-    let clipped = |i: usize| sensed(i).cap_magnitude(usual);
+    // The size alone: friction turns with the motion, so that the mean force also depends on which strokes a shift joins.
+    let clipped = |i: usize| sensed(i).norm().min(usual);
     // Integral of the force over time, up to the middle of each piece.
-    let mut integral = vec![Vector3::zeros(); pieces.len()];
+    let mut integral = vec![0.0; pieces.len()];
     for i in 1..pieces.len() {
         let lasts = time(i) - time(i - 1);
         integral[i] = integral[i - 1] + (clipped(i) + clipped(i - 1)) * (0.5 * lasts);
@@ -105,7 +108,7 @@ pub(super) fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize
     let [first, last] = [time(0), time(pieces.len() - 1)];
     let [on, free] = [runs(pieces, on), runs(pieces, free)];
     let mean = |runs: &[[f64; 2]], offset: f64| {
-        let (mut sum, mut lasts) = (Vector3::zeros(), 0.0);
+        let (mut sum, mut lasts) = (0.0, 0.0);
         for &[start, end] in runs {
             let [start, end] = [start + offset, end + offset].map(|when| when.clamp(first, last));
             sum += at(end) - at(start);
@@ -115,14 +118,23 @@ pub(super) fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize
     };
     let contrast = |offset: f64| {
         let [on, free] = [mean(&on, offset), mean(&free, offset)];
-        on.zip(free).map_or(0.0, |(on, free)| (on - free).norm())
+        on.zip(free).map_or(0.0, |(on, free)| f64::abs(on - free))
     };
     let aligned = contrast(0.0);
     let steps = (farthest / step) as i32;
-    let offsets = (-steps..=steps).map(|i| f64::from(i) * step);
-    let best = offsets.map(|offset| (contrast(offset), offset));
-    let best = best.max_by(|a, b| (a.0.total_cmp(&b.0)).then(b.1.abs().total_cmp(&a.1.abs())));
-    match best {
+    let tried: Vec<(f64, f64)> = (-steps..=steps)
+        .map(|i| f64::from(i) * step)
+        .map(|offset| (contrast(offset), offset))
+        .collect();
+    let most = tried.iter().map(|(found, _)| *found).fold(0.0, f64::max);
+    // Strokes that follow each other regularly fit again after a period.
+    let is_peak = |i: &usize| {
+        let [before, after] = [i.saturating_sub(1), (i + 1).min(tried.len() - 1)];
+        let found = tried[*i].0;
+        found >= CLOCK_TIE * most && found >= tried[before].0 && found >= tried[after].0
+    };
+    let peaks = (0..tried.len()).filter(is_peak).map(|i| tried[i]);
+    match peaks.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
         Some((most, offset))
             if offset.abs() >= least
                 && most > CLOCK_GAIN * aligned
@@ -173,4 +185,47 @@ pub(super) fn shift_forces(pieces: &[MeasuredPiece], offset: f64) -> Vec<Measure
             ..*piece
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point3;
+    use nalgebra::UnitQuaternion;
+
+    /// Pieces of 20 ms with these forces [N], each for a number of pieces.
+    fn pieces(forces: &[(usize, Vector3)]) -> Vec<MeasuredPiece> {
+        let each = (forces.iter()).flat_map(|(count, force)| vec![*force; *count]);
+        each.enumerate()
+            .map(|(i, force)| MeasuredPiece {
+                time: [0.02 * i as f64, 0.02 * (i + 1) as f64],
+                samples: 2,
+                position: Point3::origin(),
+                mean_height: 0.0,
+                heading: 0.0,
+                surface_from_tool: UnitQuaternion::identity(),
+                turn: None,
+                force,
+                peak_force: force.norm(),
+            })
+            .collect()
+    }
+
+    #[test]
+    fn friction_of_strokes_to_and_fro_is_no_clock_offset() {
+        let [to, fro] = [0.9, -0.9].map(|friction| Vector3::new(10.0 * friction, 0.0, 10.0));
+        let rest = Vector3::zeros();
+        let strokes = pieces(&[(25, rest), (50, to), (50, rest), (50, fro), (25, rest)]);
+        let is_stroke = |i: &usize| (25..75).contains(i) || (125..175).contains(i);
+        let (on, free): (Vec<usize>, Vec<usize>) = (0..200).partition(is_stroke);
+        // Aligned by a period, one stroke alone would have the larger mean force.
+        assert_eq!(clock_offset(&strokes, &on, &free), 0.0);
+        let late: Vec<MeasuredPiece> = (strokes.iter().enumerate())
+            .map(|(i, piece)| MeasuredPiece {
+                force: strokes[i.saturating_sub(15)].force,
+                ..*piece
+            })
+            .collect();
+        assert!((clock_offset(&late, &on, &free) - 0.3).abs() < 0.03);
+    }
 }
