@@ -182,8 +182,9 @@ export class Recording {
 
   /** Returns the last round with a number. */
   private round(number: number): Round {
-    for (let i = this.rounds.length - 1; i >= 0; i--) if (this.rounds[i]!.number === number) return this.rounds[i]!;
-    throw new Error(`no round ${number}`);
+    const round = this.rounds.findLast((one) => one.number === number);
+    if (!round) throw new Error(`no round ${number}`);
+    return round;
   }
 
   private layOutRounds(): void {
@@ -227,26 +228,17 @@ export class Recording {
     };
   }
 
-  /** Returns the outcome of the last round that had ended at a time. */
+  /** Returns the outcome of the last round that had ended at a time, or what was known before the first one. */
   outcomeAt(t: number): Outcome | null {
-    for (let i = this.rounds.length - 1; i >= 0; i--) {
-      const round = this.rounds[i]!;
-      if (round.end > t + 1e-6 || !(round.interpreted || round.truth || round.observed)) continue;
-      const pose = round.interpreted?.found ?? round.plan.surface.pose;
-      const { shape } = round.plan.surface;
-      return {
-        since: round.end, pose, actualPose: round.truth?.surface ?? pose, shape, actualShape: trueShape(round.truth, shape),
-        estimated: toMetres(round.interpreted?.particles),
-        actual: toMetres(round.truth?.particles),
-        seen: toMetres(round.observed?.detections),
-      };
-    }
-    const [first] = this.rounds;
-    if (!first || !(this.truthBefore || this.observedBefore)) return null;
-    const { pose, shape } = first.plan.surface;
+    const done = this.rounds.findLast((round) => round.end <= t + 1e-6 && (round.interpreted || round.truth || round.observed));
+    const [round] = done ? [done] : this.rounds;
+    if (!round || !(done || this.truthBefore || this.observedBefore)) return null;
+    const { truth, observed } = done ?? { truth: this.truthBefore, observed: this.observedBefore };
+    const { shape } = round.plan.surface;
+    const pose = done?.interpreted?.found ?? round.plan.surface.pose;
     return {
-      since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, shape, actualShape: trueShape(this.truthBefore, shape), estimated: null,
-      actual: toMetres(this.truthBefore?.particles), seen: toMetres(this.observedBefore?.detections),
+      since: done?.end ?? 0, pose, actualPose: truth?.surface ?? pose, shape, actualShape: trueShape(truth, shape),
+      estimated: toMetres(done?.interpreted?.particles), actual: toMetres(truth?.particles), seen: toMetres(observed?.detections),
     };
   }
 

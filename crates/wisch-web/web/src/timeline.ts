@@ -4,7 +4,7 @@ import { frames } from "./frames.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { estimateText } from "./words.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
-import { Frame, PLOTS, drawFitted, font } from "./timeline/frame.ts";
+import { Frame, PLOTS, drawFitted, setText } from "./timeline/frame.ts";
 import type { LaneName, Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
 import { drawHighlights, drawSelection } from "./timeline/highlights.ts";
@@ -215,10 +215,8 @@ export class Timeline {
         case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }); break;
         case "performance": drawPerformance(pen, frame, lane, recording); break;
       }
-      font(pen);
+      setText(pen);
       pen.fillStyle = colour("quiet");
-      pen.textAlign = "left";
-      pen.textBaseline = "middle";
       const plot = PLOTS.has(lane.name);
       if (!frame.narrow) lane.label.split("\n").forEach((line, i) => drawFitted(pen, line, 2, lane.top + (plot ? 8 + 13 * i : lane.height / 2), frame.left - (plot ? 26 : 6)));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);

@@ -1,25 +1,18 @@
 // A view of a recording: scene, details, clock and timeline.
 import { Clock } from "./clock.ts";
-import { clockText, el } from "./dom.ts";
+import { el } from "./dom.ts";
 import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
-import { colour, onTheme } from "./theme.ts";
-import { askedColour } from "./scene/asked.ts";
 import type { Camera } from "./scene/camera.ts";
-import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
-import { hexOr, safeColour } from "./scene/path.ts";
-import type { ShownFrame, Trajectory } from "./scene/path.ts";
-import type { Ghost } from "./scene/stage.ts";
+import { NOTHING_SHOWN } from "./scene/stage.ts";
+import type { Shown } from "./scene/stage.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { Timeline } from "./timeline.ts";
-import type { Interval } from "./timeline/highlights.ts";
 import { makeTransport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
-
-export type { Ghost, Interval, ShownFrame, ShownParticles, Trajectory };
 
 /** Interval between updates of the texts without a graphics card, where they are slow [ms]. */
 const TEXT_MS = 150;
@@ -35,17 +28,8 @@ export interface View {
   readonly element: HTMLElement;
   readonly clock: Clock;
   seek(time: number): void;
-  /** Highlights intervals of the common clock in the timeline and along the tool's path. */
-  highlight(intervals: Interval[]): void;
-  showTrajectories(list: Trajectory[]): void;
-  /** Shows the robot at these times as translucent ghosts. */
-  showRobotAt(list: Ghost[]): void;
-  /** Shows the axes of frames. */
-  showFrames(list: ShownFrame[]): void;
-  /** Shows particles in addition to those of the recording. */
-  showParticles(list: ShownParticles[]): void;
-  /** Removes the data of the five methods above. */
-  clearShown(): void;
+  /** Shows data of a query instead of those before; without an argument, none. */
+  show(data?: Partial<Shown>): void;
   /** Number of drawn frames of the scene. */
   readonly frames: number;
   /** Number of drawn ghosts. */
@@ -103,53 +87,19 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
-    onTheme(() => name()),
     listenLooks(element, clock, recording, panel),
   ];
   if (recording.live) clock.follow();
   show();
 
-  const named = { trajectories: [] as Trajectory[], ghosts: [] as Ghost[], frames: [] as ShownFrame[], particles: [] as ShownParticles[] };
-  const name = () => panel.name([
-    ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
-    ...named.ghosts.map(({ time, color }) => ({ name: `${recording.head?.robot ? "robot" : "tool"} at ${clockText(time)}`, colour: hexOr(color, colour("ghost")) })),
-    ...named.frames.map(({ name, color }) => ({ name, colour: hexOr(color, colour("axis-z")) })),
-    ...named.particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
-  ]);
-  const showTrajectories = (list: Trajectory[]) => {
-    named.trajectories = list;
-    panel.stage?.showTrajectories(list);
-    name();
-  };
-  const showRobotAt = (list: Ghost[]) => {
-    named.ghosts = list;
-    panel.stage?.showGhosts(list);
-    name();
-  };
-  const showFrames = (list: ShownFrame[]) => {
-    named.frames = list;
-    panel.stage?.showFrames(list);
-    name();
-  };
-  const showParticles = (list: ShownParticles[]) => {
-    named.particles = list;
-    panel.stage?.showParticles(list);
-    name();
-  };
-  const highlight = (intervals: Interval[]) => {
-    timeline.highlight(intervals);
-    panel.stage?.highlight(intervals);
+  const showData = (data: Partial<Shown> = {}) => {
+    const shown = { ...NOTHING_SHOWN, ...data };
+    timeline.highlight(shown.intervals);
+    panel.showData(shown);
   };
   return {
-    element, clock, showTrajectories, showRobotAt, showFrames, showParticles, highlight,
+    element, clock, show: showData,
     seek: (time) => clock.seek(time),
-    clearShown: () => {
-      showTrajectories([]);
-      showRobotAt([]);
-      showFrames([]);
-      showParticles([]);
-      highlight([]);
-    },
     get frames() { return panel.stage?.drawn ?? 0; },
     get ghosts() { return panel.stage?.ghostCount ?? 0; },
     get reasons() { return panel.stage?.reasons ?? null; },

@@ -457,8 +457,10 @@ const cases = {
     const events = (piece) => (piece.piece === "interpreted" ? { ...piece, events: piece.events.map((event) => ({ ...event, kind: evil })) } : piece);
     const { page, complaints, picture } = await show("hostile", lines(parts.map((piece) => events(poison(piece)))));
     await page.waitForTimeout(700);
-    await page.evaluate(() => wisch.view.showTrajectories([{ name: "<img src=x onerror=window.hit=3>", color: "red;background:url(x)", points: [[0, 0, 1], [0, 0, 2]] }]));
-    await page.evaluate(() => wisch.view.highlight([{ start: 1, end: 2, label: "<img src=x onerror=window.hit=4>" }]));
+    await page.evaluate(() => wisch.view.show({
+      trajectories: [{ name: "<img src=x onerror=window.hit=3>", color: "red;background:url(x)", points: [[0, 0, 1], [0, 0, 2]] }],
+      intervals: [{ start: 1, end: 2, label: "<img src=x onerror=window.hit=4>" }],
+    }));
     await page.waitForTimeout(300);
     assert.deepEqual(await page.evaluate(() => [window.hit ?? null, document.querySelectorAll("#app img:not(.w-still), #app script, #app b > b").length]), [null, 0]);
     assert.ok((await wide(page)) <= 0);
@@ -516,10 +518,10 @@ const cases = {
     await give(1000);
     await page.waitForTimeout(700);
     assert.deepEqual(await page.evaluate(() => [window.run.live, window.a.clock.following, window.a.clock.time === window.run.duration]), [false, false, true]);
-    await page.evaluate(() => { window.a.showRobotAt([{ time: 1 }, { time: 5, color: "#00ff00" }]); window.a.seek(3); });
+    await page.evaluate(() => { window.a.show({ ghosts: [{ time: 1 }, { time: 5, color: "#00ff00" }] }); window.a.seek(3); });
     await page.waitForTimeout(300);
     await picture("compare");
-    await page.evaluate(() => { window.b.destroy(); window.a.clearShown(); window.a.destroy(); });
+    await page.evaluate(() => { window.b.destroy(); window.a.show(); window.a.destroy(); });
     assert.equal(await page.locator(".w-view").count(), 0);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -643,11 +645,10 @@ const cases = {
     await page.evaluate(() => {
       const { pose } = wisch.recording.rounds[0].plan.surface;
       const row = (y) => Array.from({ length: 9 }, (_, i) => [-0.08 + 0.02 * i, y]);
-      wisch.view.showParticles([
+      wisch.view.show({ particles: [
         { name: "dirt before round 1, as queried", state: "before", pose, places: row(-0.03), color: "#00ff00" },
         { name: "estimated dirt after round 1, as queried", state: "estimated", pose, places: row(0.03) },
-      ]);
-      wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
+      ], intervals: [1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })) });
     });
     await page.waitForTimeout(1000);
     assert.ok((await green()) > 100, "the particles are not visible");
@@ -661,7 +662,7 @@ const cases = {
     await page.getByRole("button", { name: "Dark" }).click();
     await page.waitForTimeout(1000);
     await picture("asked-dark");
-    await page.evaluate(() => wisch.view.clearShown());
+    await page.evaluate(() => wisch.view.show());
     await page.waitForTimeout(1000);
     assert.equal(await green(), 0);
     assert.equal(await page.locator(".w-named li").count(), 0);

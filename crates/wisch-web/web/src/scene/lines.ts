@@ -9,12 +9,17 @@ import { Column } from "../columns.ts";
 const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
 
 export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
-  const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
-  const line = new LineSegments2(geometry, material);
+  const line = new LineSegments2(new LineSegmentsGeometry(), material);
   line.frustumCulled = false;
-  line.visible = ends.length > 0;
+  setSegments(line, ends);
   return line;
+}
+
+/** Replaces the segments of a line. */
+export function setSegments(line: LineSegments2, ends: ArrayLike<number>): void {
+  line.geometry.dispose();
+  line.geometry = new LineSegmentsGeometry().setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
+  line.visible = ends.length > 0;
 }
 
 /** Converts consecutive corners into segments of a closed or open line. */
@@ -56,10 +61,7 @@ export class GrowingSegments {
   private changed = true;
 
   constructor(width: number, private palette: Color[]) {
-    const material = new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER });
-    this.line = new LineSegments2(new LineSegmentsGeometry(), material);
-    this.line.frustumCulled = false;
-    this.line.visible = false;
+    this.line = segments([], new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER }));
   }
 
   get count(): number {

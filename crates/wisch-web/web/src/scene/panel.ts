@@ -3,11 +3,14 @@ import { clockText, el, fixed, percent, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
-import { onTheme, isPrinting } from "../theme.ts";
+import { colour, onTheme, isPrinting } from "../theme.ts";
 import { FORCES } from "./ribbon.ts";
 import { collisionOf, hasMadeBody } from "./robot.ts";
-import { LAYERS, Stage } from "./stage.ts";
-import type { Layers, Look } from "./stage.ts";
+import { LAYERS, NOTHING_SHOWN, Stage } from "./stage.ts";
+import { askedColour } from "./asked.ts";
+import type { ShownParticles } from "./asked.ts";
+import { hexOr, safeColour } from "./path.ts";
+import type { Layers, Look, Shown } from "./stage.ts";
 import type { Recording } from "../store.ts";
 import { isTreated, mapAt, quantityOf } from "../treated.ts";
 import type { TreatmentRecord } from "../recording.ts";
@@ -23,10 +26,10 @@ const NAMES: Record<keyof Layers, string> = {
 const POINT_PX = 24;
 
 /** A legend entry of queried data: a line, or particles in a state. */
-export interface Named {
+interface Named {
   name: string;
   colour: string;
-  form?: "before" | "estimated";
+  form?: ShownParticles["state"];
 }
 
 export class ScenePanel {
@@ -44,7 +47,7 @@ export class ScenePanel {
     el("ul", {}, ...FORCES.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
   private readonly point = el("div", { class: "w-point", hidden: true });
   private readonly reach = makeReachScale();
-  private queried: Named[] = [];
+  private shown = NOTHING_SHOWN;
   /** Name of the rejected strokes that a reader chose. */
   private rejected: string | null = null;
   private scaleOf: TreatmentRecord | null = null;
@@ -93,6 +96,7 @@ export class ScenePanel {
     canvas.addEventListener("pointerleave", () => this.explain(null));
     this.stop.push(() => sizes.disconnect(), onTheme(() => {
       stage.paint();
+      this.listNamed();
       if (isPrinting()) this.still.src = stage.picture();
     }));
   }
@@ -190,10 +194,22 @@ export class ScenePanel {
     this.follow.setAttribute("aria-pressed", String(this.stage.follow));
   }
 
-  /** Lists queried data in the legend. */
-  name(list: Named[]): void {
-    this.queried = list;
+  /** Shows data of a query, and lists them in the legend. */
+  showData(shown: Shown): void {
+    this.shown = shown;
+    this.stage?.showData(shown);
     this.listNamed();
+  }
+
+  /** Returns the legend entries of the shown data of a query. */
+  private get queried(): Named[] {
+    const { trajectories, ghosts, frames, particles } = this.shown;
+    return [
+      ...trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
+      ...ghosts.map(({ time, color }) => ({ name: `${this.recording.head?.robot ? "robot" : "tool"} at ${clockText(time)}`, colour: hexOr(color, colour("ghost")) })),
+      ...frames.map(({ name, color }) => ({ name, colour: hexOr(color, colour("axis-z")) })),
+      ...particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
+    ];
   }
 
   /** Shows what a reader chose of a plan. */
@@ -204,7 +220,7 @@ export class ScenePanel {
   }
 
   private listNamed(): void {
-    const rejected = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" } as Named] : [];
+    const rejected: Named[] = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" }] : [];
     this.extra.replaceChildren(...[...rejected, ...this.queried].map(({ name, colour, form }) => {
       if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
       const line = el("i", { "aria-hidden": "true" });

@@ -12,7 +12,7 @@ import { Camera } from "./camera.ts";
 import { Dirt } from "./dirt.ts";
 import type { Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
-import { LineMaterial, segments } from "./lines.ts";
+import { LineMaterial, segments, setSegments } from "./lines.ts";
 import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
@@ -26,6 +26,7 @@ import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
+import type { Interval } from "../timeline/highlights.ts";
 import type { Choice } from "../why.ts";
 import type { Instant, Recording } from "../store.ts";
 import { mapAt } from "../treated.ts";
@@ -41,6 +42,19 @@ export interface Ghost {
   color?: string;
 }
 
+/** Data of a query, shown in addition to the recording. */
+export interface Shown {
+  trajectories: Trajectory[];
+  /** The robot, or the tool where no robot is known, at times. */
+  ghosts: Ghost[];
+  frames: ShownFrame[];
+  particles: ShownParticles[];
+  /** Intervals of the common clock, highlighted in the timeline and along the tool's path. */
+  intervals: Interval[];
+}
+
+export const NOTHING_SHOWN: Shown = { trajectories: [], ghosts: [], frames: [], particles: [], intervals: [] };
+
 export type Look = "all" | "surface" | "above";
 
 /** Maximum distance of a click from the path [pixels]. */
@@ -55,6 +69,9 @@ const SUN_LIGHT = 1.7;
 const SKY_LIGHT = 1.4;
 const AMBIENT_LIGHT = Math.PI - SKY_LIGHT - (SUN_LIGHT * SUN.z) / SUN.length();
 
+/** Colours of the robot's materials by their names on the page. */
+const ROBOT_COLOURS = { body: "body-1", arm: "arm-1", joint: "joint", ring: "ring", handle: "joint", collision: "quiet", tool: "tool" };
+
 export class Stage {
   readonly layers: Layers = { ...LAYERS };
   readonly camera: Camera;
@@ -68,15 +85,13 @@ export class Stage {
   private grid: GridHelper | null = null;
   private robot: Robot | null = null;
   private readonly ghosts = new Group();
-  private ghostList: Ghost[] = [];
   private still: Still | null = null;
   private path: Path | null = null;
   private shots: Shots | null = null;
   private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
-  private highlighted: { from: number; to: number }[] = [];
+  private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
-  private readonly highlights = new Group();
-  private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false });
+  private readonly highlights = segments([], new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }));
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
@@ -202,12 +217,6 @@ export class Stage {
     this.ask();
   }
 
-  highlight(intervals: { start: number; end: number }[]): void {
-    this.highlighted = intervals.map(({ start, end }) => ({ from: start, to: end }));
-    this.drawHighlights();
-    this.ask();
-  }
-
   /** Shows what a reader chose of the plan of a round, while the clock is in that round. */
   choose(choice: Choice | null): void {
     this.choice = choice;
@@ -231,50 +240,39 @@ export class Stage {
     return this.path?.ribbon.counts ?? { drawn: 0, lit: 0 };
   }
 
-  showTrajectories(list: Trajectory[]): void {
-    this.trajectories.show(list);
+  /** Shows data of a query instead of those before. */
+  showData(shown: Shown): void {
+    this.shown = shown;
+    this.trajectories.show(shown.trajectories);
+    this.asked.show(shown.particles);
+    this.axes.show(shown.frames);
+    this.makeGhosts();
+    this.drawHighlights();
     this.ask();
   }
 
-  showParticles(list: ShownParticles[]): void {
-    this.asked.show(list);
-    this.ask();
-  }
-
-  showFrames(list: ShownFrame[]): void {
-    this.axes.show(list);
-    this.ask();
-  }
-
-  showGhosts(list: Ghost[]): void {
-    this.ghostList = list;
+  private makeGhosts(): void {
     this.ghosts.clear();
     const { head, meshes } = this.recording;
-    if (head && this.robot) {
-      for (const { time, color } of list) {
-        const instant = this.recording.at(time);
-        if (!instant) continue;
-        const look = ghostMaterial();
-        look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look }, this.robot);
-        ghost.show(instant.round.plan.root, instant.q, instant.tool);
-        this.ghosts.add(ghost.group);
-      }
+    if (!head || !this.robot) return;
+    for (const { time, color } of this.shown.ghosts) {
+      const instant = this.recording.at(time);
+      if (!instant) continue;
+      const look = ghostMaterial();
+      look.color.set(hexOr(color, colour("ghost")));
+      const ghost = new Robot(head, meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look }, this.robot);
+      ghost.show(instant.round.plan.root, instant.q, instant.tool);
+      this.ghosts.add(ghost.group);
     }
-    this.ask();
   }
 
   paint(): void {
-    const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, joint, ring, handle, collision, tool } = this.materials;
-    set(body, "body-1"); set(arm, "arm-1"); set(joint, "joint"); set(ring, "ring"); set(handle, "joint"); set(collision, "quiet"); set(tool, "tool");
+    for (const [part, name] of Object.entries(ROBOT_COLOURS)) (this.materials[part as keyof typeof ROBOT_COLOURS] as MeshStandardMaterial).color.set(colour(name));
     this.painter.paint();
-    this.showGhosts(this.ghostList);
-    this.highlightLook.color.set(colour("highlight"));
+    this.showData(this.shown);
+    this.highlights.material.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
-    this.asked.paint();
-    this.trajectories.paint();
     this.force.paint();
     this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
@@ -316,7 +314,7 @@ export class Stage {
     if (!this.robot && head) {
       this.robot = new Robot(head, meshes, this.materials);
       this.scene.add(this.robot.group);
-      this.showGhosts(this.ghostList);
+      this.makeGhosts();
     }
     if (this.still?.round !== round) this.enter(instant);
     this.aim(time);
@@ -399,14 +397,8 @@ export class Stage {
   }
 
   private drawHighlights(): void {
-    for (const line of [...this.highlights.children]) {
-      (line as ReturnType<typeof segments>).geometry.dispose();
-      this.highlights.remove(line);
-    }
-    if (!this.path) return;
-    const { start } = this.path.round;
-    const ends = this.highlighted.flatMap(({ from, to }) => this.path!.between(from - start, to - start));
-    if (ends.length) this.highlights.add(segments(ends, this.highlightLook));
+    const start = this.path?.round.start ?? 0;
+    setSegments(this.highlights, this.shown.intervals.flatMap(({ start: from, end: to }) => this.path?.between(from - start, to - start) ?? []));
   }
 
   private build({ center, radius }: Sphere): void {

@@ -1,6 +1,6 @@
 // The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
-  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D,
+  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial,
   RingGeometry, Shape, ShapeGeometry, Vector2, Vector3,
 } from "three";
 import type { BufferGeometry } from "three";
@@ -9,7 +9,7 @@ import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
-import { geometryOf, matrix, shiftDepth } from "./solids.ts";
+import { geometryOf, placeAt, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
 import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
@@ -212,10 +212,4 @@ export class Still {
     flat(new CircleGeometry(Math.min(0.006, 0.3 * goal.radius), 24), 1, "goal-line");
     this.group.add(group);
   }
-}
-
-function placeAt<O extends Object3D>(object: O, pose: Pose): O {
-  object.matrixAutoUpdate = false;
-  matrix(pose, object.matrix);
-  return object;
 }

@@ -39,7 +39,7 @@ class Studio {
     });
     this.ask = new Ask({
       show: (answers, row, id) => void this.show(answers, row, id),
-      clear: () => { for (const { view } of this.stage.shown) view.clearShown(); },
+      clear: () => { for (const { view } of this.stage.shown) view.show(); },
       asked: (query) => this.keep({ query }),
     });
     this.stage = new Stage({

@@ -1,6 +1,6 @@
 // Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
-import { drawFitted, font } from "./frame.ts";
+import { drawFitted, setText } from "./frame.ts";
 import type { Frame, Lane, Pen } from "./frame.ts";
 
 export interface Interval {
@@ -73,9 +73,7 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.fillRect(from, top - 3, to - from, 3);
     if (label) bands.push({ x: from + PADDING_PX, label });
   }
-  font(pen, 10, 600);
-  pen.textAlign = "left";
-  pen.textBaseline = "middle";
+  setText(pen, 10, { weight: 600 });
   for (const { text, x, width, row } of tagsOf(bands, (label) => pen.measureText(label).width, right)) {
     const middle = frame.height - 4 - (row + 0.5) * ROW_PX;
     pen.globalAlpha = 0.85;
