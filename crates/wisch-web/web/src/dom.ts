@@ -28,8 +28,20 @@ export function say(element: Element, text: string): void {
 export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
 /** Makes a table with names of its columns. */
-export const makeTable = (names: readonly string[], rows: readonly Node[], caption = ""): HTMLElement =>
+export const makeTable = (names: readonly (Node | string)[], rows: readonly Node[], caption = ""): HTMLElement =>
   el("table", {}, caption && el("caption", {}, caption), el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))), el("tbody", {}, ...rows));
+
+/** Makes a row of a table from its name and its values. */
+export const makeRow = (name: Node | string, values: readonly string[]): HTMLElement =>
+  el("tr", {}, el("th", { scope: "row" }, name), ...values.map((value) => el("td", {}, value)));
+
+/** Makes a list of labels with colours of the page. */
+export const makeSwatches = (list: readonly { colour: string; label: string }[], label: string | null = null): HTMLElement =>
+  el("ul", { "aria-label": label }, ...list.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label)));
+
+/** Makes a text of a drawing. */
+export const svgText = (x: number, y: number, words: string, anchor: "start" | "middle" | "end" = "start", look: Attributes = {}): SVGElement =>
+  svg("text", { x, y, "text-anchor": anchor, fill: "var(--ink)", "font-size": 11.5, ...look }, words);
 
 const MINUS = "\u2212";
 export const fixed = (value: number, digits: number): string => {

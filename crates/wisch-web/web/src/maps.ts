@@ -1,5 +1,5 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
-import { capitalise, el, percent, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, makeSwatches, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
 import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
@@ -14,7 +14,7 @@ export function makeScale(record: TreatmentRecord): HTMLElement {
   const group = (degree: Degree) => {
     const shown = bins.filter((bin) => bin.degree === degree);
     return shown.length > 0 && el("li", { "data-degree": degree, style: `flex-grow:${shown.length}` }, el("span", {}, DEGREES[degree]),
-      el("ul", {}, ...shown.map(({ label, colour }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
+      makeSwatches(shown));
   };
   return el("div", { class: "w-scale" }, el("ul", { "aria-label": `Scale in ${record.unit}` }, ...(Object.keys(DEGREES) as Degree[]).map(group)),
     el("p", {}, `${record.unit}; allowed: ${bandText(record)}${record.unit === "passes" ? ", counted in whole passes" : `, target ${record.target} ${record.unit}`}`));

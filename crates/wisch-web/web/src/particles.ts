@@ -9,6 +9,10 @@ const SNAPSHOT_STEPS = 32;
 
 export const metres = (places: readonly unknown[]): Float32Array => Float32Array.from(places, (v) => number(v) / PER_METRE);
 
+/** Returns the number of particles within a circle [m]. */
+export const countWithin = (places: Float32Array, { place: [x, y], radius }: { place: [number, number]; radius: number }): number =>
+  places.filter((v, i) => i % 2 === 0 && Math.hypot(v - x, places[i + 1]! - y) <= radius).length;
+
 export class ParticleTrack {
   readonly times: number[];
   private readonly snapshots: Float32Array[] = [];

@@ -23,6 +23,9 @@ function drawDots({ mark, places }: Dots, unit: number): SVGPathElement {
   return svg("path", { d, class: `w-dots w-dots-${mark}`, "stroke-width": mark === "believed" ? 2.2 * unit : 0.7 * unit });
 }
 
+/** Returns the path of a line of the chart, in millimetres. */
+export const pathOf = (line: Float32Array): string => Array.from({ length: line.length / 2 }, (_, i) => `${i ? "L" : "M"}${(1000 * line[2 * i]!).toFixed(1)} ${(-1000 * line[2 * i + 1]!).toFixed(1)}`).join("");
+
 /** Draws the surface of a round with its dirt, in millimetres. `map`: its map, and the id by which the map is clipped to the surface. */
 export function surfacePicture(round: Round, layers: Dots[], label: string, map: { id: string; map: SVGElement } | null = null): SVGSVGElement {
   const rings = round.plan.surface.rings.map((ring) => metres(ring)).filter((ring) => ring.length >= 6);
@@ -53,7 +56,7 @@ export function surfacePicture(round: Round, layers: Dots[], label: string, map:
   // Many dots are drawn smaller.
   const most = Math.max(1, ...layers.map(({ places }) => places.length / 2));
   const unit = 7 * Math.max(right - left, top - bottom) * Math.min(1, Math.max(0.6, Math.sqrt(160 / most)));
-  const d = rings.map((ring) => `M${Array.from({ length: ring.length / 2 }, (_, i) => `${(1000 * ring[2 * i]!).toFixed(1)} ${(-1000 * ring[2 * i + 1]!).toFixed(1)}`).join("L")}Z`).join("");
+  const d = rings.map((ring) => `${pathOf(ring)}Z`).join("");
   return svg("svg", { viewBox: box.join(" "), class: "w-picture", role: "img", "aria-label": label },
     svg("path", { d, class: "w-ground", "fill-rule": "evenodd", "stroke-width": 0.005 * 1000 * Math.max(right - left, top - bottom) }),
     map && svg("clipPath", { id: map.id }, svg("path", { d, "clip-rule": "evenodd" })), map?.map,

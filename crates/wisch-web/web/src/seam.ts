@@ -1,6 +1,6 @@
 // A seam over the picture of the surface at the end of a round: estimated on its left, true on its right.
 import { compareWithTruth, isComparable } from "./belief.ts";
-import { el, percent, svg, uniqueId } from "./dom.ts";
+import { el, makeRow, makeTable, percent, svg, uniqueId } from "./dom.ts";
 import { drawCells } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { surfacePicture } from "./picture.ts";
@@ -113,9 +113,7 @@ export class Seam {
 
   /** Makes the table of what is estimated and what is true. */
   private makeTable(round: Round): HTMLElement {
-    return el("table", {},
-      el("thead", {}, el("tr", {}, ...[`End of round ${round.number}`, "Estimated", "True", "Off by"].map((name) => el("th", { scope: "col" }, name)))),
-      el("tbody", {}, ...compareWithTruth(round).map(([quantity, ...values]) => el("tr", {}, el("th", { scope: "row" }, quantity), ...values.map((value) => el("td", {}, value))))));
+    return makeTable([`End of round ${round.number}`, "Estimated", "True", "Off by"], compareWithTruth(round).map(([quantity, ...values]) => makeRow(quantity, values)));
   }
 }
 

@@ -1,5 +1,5 @@
 // Why this plan: its reasons, the candidate plans, and what each stroke is predicted to gain.
-import { el, fixed, formatKnown, makeList, makeTable, percent } from "./dom.ts";
+import { el, fixed, formatKnown, makeList, makeRow, makeTable, percent } from "./dom.ts";
 import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
 import type { StrokeGain } from "./strokes.ts";
 import type { Considered, Places, RoundPiece } from "./recording.ts";
@@ -142,8 +142,7 @@ export class Why {
         }
         this.publish();
       } }, String(stroke + 1));
-      const own = el("tr", {}, el("th", { scope: "row" }, button),
-        ...[signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`].map((text) => el("td", {}, text)));
+      const own = makeRow(button, [signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`]);
       return own;
     });
     return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance, in points. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));

@@ -1,5 +1,6 @@
 // Lines with a width in pixels, which can grow.
-import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Vector3 } from "three";
+import type { Color } from "three";
+import { Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -106,15 +107,8 @@ export class GrowingSegments {
     geometry.dispose();
     const size = 6 * Math.max(1, this.count);
     const colours = new Float32Array(size);
-    for (let i = 0; i < this.count; i++) {
-      const { r, g, b } = this.palette[this.kinds.data[i]!]!;
-      colours.set([r, g, b, r, g, b], 6 * i);
-    }
-    for (const [name, data] of [["", Float32Array.from(this.positions.data.subarray(0, size))], ["Color", colours]] as const) {
-      const buffer = new InstancedInterleavedBuffer(data, 6, 1);
-      geometry.setAttribute(`instance${name}Start`, new InterleavedBufferAttribute(buffer, 3, 0));
-      geometry.setAttribute(`instance${name}End`, new InterleavedBufferAttribute(buffer, 3, 3));
-    }
+    for (let i = 0; i < this.count; i++) for (const at of [6 * i, 6 * i + 3]) this.palette[this.kinds.data[i]!]!.toArray(colours, at);
+    geometry.setPositions(this.positions.data.slice(0, size) as Float32Array).setColors(colours);
   }
 }
 

@@ -1,5 +1,5 @@
 // The scene with its overlays: legend with toggles, and buttons for views.
-import { clockText, el, fixed, percent, say, uniqueId } from "../dom.ts";
+import { clockText, el, fixed, makeSwatches, percent, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
@@ -43,8 +43,7 @@ export class ScenePanel {
   private readonly mapTitle = el("strong");
   private readonly mapScale = el("div", { class: "w-map-scale", hidden: true }, this.mapTitle);
   private readonly forceTitle = el("strong");
-  private readonly forceScale = el("div", { class: "w-force-scale", hidden: true }, this.forceTitle,
-    el("ul", {}, ...FORCES.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
+  private readonly forceScale = el("div", { class: "w-force-scale", hidden: true }, this.forceTitle, makeSwatches(FORCES));
   private readonly point = el("div", { class: "w-point", hidden: true });
   private readonly reach = makeReachScale();
   private shown = NOTHING_SHOWN;

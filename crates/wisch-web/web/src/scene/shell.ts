@@ -55,9 +55,8 @@ export interface Shell {
 /** Width over which capsules are blended, and over which the box cuts them [m]. */
 const BLEND_M = 0.012;
 const SOFT_M = 0.01;
-/** A point is this near to the surface after at most so many steps; the same distance is the step of differences [m]. */
+/** How near a point is to the surface, and step of differences [m]. */
 const NEAR_M = 1e-4;
-const MOST_STEPS = 12;
 
 function distanceToShell({ rods, box, edge }: Shell, x: number, y: number, z: number): number {
   let sum = 0;
@@ -69,26 +68,16 @@ function distanceToShell({ rods, box, edge }: Shell, x: number, y: number, z: nu
   return SOFT_M * Math.log(sum ** (-BLEND_M / SOFT_M) + Math.exp(cut / SOFT_M));
 }
 
-/** Returns a zero of a function that is negative at 0 and positive at `outer` (regula falsi, Illinois variant); 0 if it is positive at 0. */
+/** Returns a zero of a rising function between 0 and `outer` by halving; 0 if it is positive at 0. */
 function findZero(of: (x: number) => number, outer: number): number {
-  let inner = 0;
-  let [below, above] = [of(0), of(outer)];
-  if (below >= 0) return 0;
-  let [x, side] = [0, 0];
-  for (let k = 0; k < MOST_STEPS; k++) {
-    x = (inner * above - outer * below) / (above - below);
-    const value = of(x);
-    if (Math.abs(value) < NEAR_M) break;
-    if (value < 0) {
-      [inner, below] = [x, value];
-      if (side < 0) above /= 2;
-    } else {
-      [outer, above] = [x, value];
-      if (side > 0) below /= 2;
-    }
-    side = Math.sign(value);
+  if (of(0) >= 0) return 0;
+  let [from, to] = [0, outer];
+  while (to - from > 0.5 * NEAR_M) {
+    const middle = (from + to) / 2;
+    if (of(middle) < 0) from = middle;
+    else to = middle;
   }
-  return x;
+  return (from + to) / 2;
 }
 
 /** Returns a patch of a shell, `inset` under it [m], between azimuths from the front [rad] and heights in [-1, 1]. `column`: width of

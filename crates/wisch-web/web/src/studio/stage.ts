@@ -1,5 +1,5 @@
 // The main area: one recording, or two side by side on one clock.
-import { Clock } from "../clock.ts";
+import { Clock, onRest } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
 import { Story } from "../story.ts";
 import { mountView } from "../view.ts";
@@ -11,9 +11,6 @@ import { Comparison, makeLetter } from "./compare.ts";
 import { linkCameras } from "./link.ts";
 import { stopRun } from "./server.ts";
 import type { LiveSource } from "./source.ts";
-
-/** Time without movement until the clock counts as resting [ms]. */
-const REST_MS = 300;
 
 export interface Source {
   id: string;
@@ -68,12 +65,7 @@ export class Stage {
     if (shared) this.compare(shared);
     const clock = this.panes[0]!.view.clock;
     if (time !== null) clock.seek(time);
-    let later: ReturnType<typeof setTimeout> | undefined;
-    this.stops.push(clock.subscribe(() => {
-      clearTimeout(later);
-      if (clock.playing || clock.following) return;
-      later = setTimeout(() => this.actions.rests(clock.time), REST_MS);
-    }), () => clearTimeout(later));
+    this.stops.push(onRest(clock, this.actions.rests));
   }
 
   /** Links the views, and shows what differs between their recordings. */
