@@ -80,13 +80,18 @@ function compareTreated(round: Round): Comparison[] {
   ];
 }
 
+/** Whether the true performance of a round is known, and outside the interval of its estimate. */
+export function isTruthOutside({ interpreted, truth }: Round): boolean {
+  const performance = truth?.performance ?? null;
+  return Boolean(interpreted && performance !== null && (performance < interpreted.estimate.low || performance > interpreted.estimate.high));
+}
+
 /** Compares estimate and ground truth of a comparable round. */
 export function compareWithTruth(round: Round): Comparison[] {
-  const { mean, low, high } = round.interpreted!.estimate;
+  const { mean } = round.interpreted!.estimate;
   const performance = round.truth!.performance ?? null;
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
-  const isInside = performance >= low && performance <= high;
-  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isInside ? "inside" : "outside"} the interval`;
+  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isTruthOutside(round) ? "outside" : "inside"} the interval`;
   return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
 }

@@ -1,7 +1,7 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
 import { capitalise, el, makeSwatches, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
-import { surfacePicture } from "./picture.ts";
+import { makeFigure, surfacePicture } from "./picture.ts";
 import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
 import type { Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
@@ -53,7 +53,7 @@ export function makeMapFigure(title: string, round: Round, values: number[] | nu
   const id = uniqueId();
   const label = `${title}: ${quantityOf(round)} per place; ${describeShares(record, values)} of ${values.length} places`;
   const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(record, values));
-  return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
+  return makeFigure(surfacePicture(round, [], label, { id, map }), title);
 }
 
 /** Returns the figures of the first screen for a treated surface: before, predicted, and estimated or, with the truth, `seam`; with their scale. */
@@ -65,7 +65,7 @@ export function makeMapFigures({ rounds }: Recording, seam: HTMLElement | null):
   const record = last.plan.treatment;
   if (!record) {
     const missing = `This recording has no ${quantityOf(last)} per place.`;
-    return [el("figure", { class: "w-wide" }, surfacePicture(last, [], missing), el("figcaption", {}, missing))];
+    return [makeFigure(surfacePicture(last, [], missing), missing, { class: "w-wide" })];
   }
   const figures = [
     makeMapFigure("Before", first, first.treated?.first ?? null),

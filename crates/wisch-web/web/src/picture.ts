@@ -1,5 +1,5 @@
 // A drawing of the surface from above: outline, goal and dirt.
-import { svg } from "./dom.ts";
+import { el, svg } from "./dom.ts";
 import { metres } from "./particles.ts";
 import type { Round } from "./round.ts";
 
@@ -25,6 +25,12 @@ function drawDots({ mark, places }: Dots, unit: number): SVGPathElement {
 
 /** Returns the path of a line of the chart, in millimetres. */
 export const pathOf = (line: Float32Array): string => Array.from({ length: line.length / 2 }, (_, i) => `${i ? "L" : "M"}${(1000 * line[2 * i]!).toFixed(1)} ${(-1000 * line[2 * i + 1]!).toFixed(1)}`).join("");
+
+/** Says how a picture shows the surface of a round. */
+export const viewOf = ({ plan: { surface } }: Round): string => (surface.shape ? "the unrolled surface" : "the surface from above");
+
+/** Makes a figure of a picture with its title. */
+export const makeFigure = (picture: SVGElement, title: string, look: Record<string, string> = {}): HTMLElement => el("figure", look, picture, el("figcaption", {}, title));
 
 /** Draws the surface of a round with its dirt, in millimetres. `map`: its map, and the id by which the map is clipped to the surface. */
 export function surfacePicture(round: Round, layers: Dots[], label: string, map: { id: string; map: SVGElement } | null = null): SVGSVGElement {

@@ -4,7 +4,7 @@ import { metres } from "./particles.ts";
 import { Round } from "./round.ts";
 import type { Contact } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
-import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
+import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
 /** The state at a time of the common clock. */
 export interface Instant {
@@ -29,7 +29,8 @@ export interface Happening {
   start: number;
   end: number;
   /** "event": detected by the robot. "push": ground truth of the simulated world. */
-  source: "event" | "push" | "round";
+  source: "event" | "push";
+  round: number;
   kind: string;
   words: string;
   byHand: boolean;
@@ -264,10 +265,10 @@ export class Recording {
   get happenings(): Happening[] {
     if (this.cachedHappenings?.version === this.version) return this.cachedHappenings.list;
     const list: Happening[] = [];
-    for (const { start, events, truth } of this.rounds) {
-      for (const event of events) list.push(happeningOf(event, start));
+    for (const { number: round, start, events, truth } of this.rounds) {
+      for (const { by_hand, ...event } of events) list.push({ ...event, start: start + event.start, end: start + event.end, source: "event", round, byHand: by_hand });
       for (const [from, to] of truth?.pushes ?? []) {
-        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push in the simulated world.", byHand: true });
+        list.push({ start: start + from, end: start + to, source: "push", round, kind: "true push", words: "A push in the simulated world.", byHand: true });
       }
     }
     list.sort((a, b) => a.start - b.start);
@@ -288,6 +289,3 @@ export class Recording {
 }
 
 const toMetres = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);
-
-const happeningOf = ({ kind, start, end, words, by_hand }: EventRecord, offset: number): Happening =>
-  ({ start: offset + start, end: offset + end, source: "event", kind, words, byHand: by_hand });

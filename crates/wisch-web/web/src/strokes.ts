@@ -2,7 +2,7 @@
 import { el, fixed, percent, svg } from "./dom.ts";
 import { makeMapFigure, makeScale } from "./maps.ts";
 import { countWithin, metres } from "./particles.ts";
-import { pathOf, surfacePicture } from "./picture.ts";
+import { makeFigure, pathOf, surfacePicture, viewOf } from "./picture.ts";
 import { DEGREES, binOf, binsOf, resultValues } from "./treated.ts";
 import type { Degree } from "./treated.ts";
 import type { LeftOut } from "./recording.ts";
@@ -117,8 +117,8 @@ export function makeStrokeFigures(round: Round, stroke: number): Element[] {
   const figure = (title: string, isWiped: boolean): HTMLElement | null => {
     const values = isWiped ? round.treated?.last ?? null : resultValues(record, without.treated);
     const places = isWiped ? round.particles.at(Infinity) : metres(without.particles);
-    const label = `${title}, at the end: the ${round.plan.surface.shape ? "unrolled surface" : "surface from above"} with ${places.length / 2} particles`;
-    const made = record ? makeMapFigure(title, round, values) : el("figure", {}, surfacePicture(round, [{ mark: "believed", places }], label), el("figcaption", {}, title));
+    const label = `${title}, at the end: ${viewOf(round)} with ${places.length / 2} particles`;
+    const made = record ? makeMapFigure(title, round, values) : makeFigure(surfacePicture(round, [{ mark: "believed", places }], label), title);
     const picture = made?.querySelector<SVGSVGElement>("svg.w-picture");
     if (picture) drawStrokes(picture, round, stroke, isWiped);
     return made;

@@ -43,16 +43,26 @@ export interface View {
   destroy(): void;
 }
 
-/** Listens to the keys of the clock and of the camera. Returns a function that ends this. */
-function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel): () => void {
+/** Listens to the keys of the clock, of the camera and of the selection. Returns a function that ends this. */
+function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel, timeline: Timeline): () => void {
   return listenKeys(element, clock, recording, (key) => {
     if (key === "f") panel.look("all");
     else if (key === "v") panel.look("above");
     else if (key === "t") panel.toggleFollow();
     else if (key === "l" && clock.live) clock.follow();
-    else return false;
+    else if (key === "i" || key === "o") timeline.selectTo(key === "o");
+    else if (key !== "escape" || !timeline.select(null)) return false;
     return true;
   });
+}
+
+/** Closes the open menu beside the clock at the Escape key. */
+function closeMenu(event: KeyboardEvent): void {
+  const menu = event.key === "Escape" && (event.currentTarget as HTMLElement).querySelector<HTMLDetailsElement>("details[name=w-menu][open]");
+  if (!menu) return;
+  menu.open = false;
+  menu.querySelector("summary")!.focus();
+  event.preventDefault();
 }
 
 export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
@@ -68,6 +78,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   const bar = makeTransport(clock, recording, film?.element ?? null);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
+  element.addEventListener("keydown", closeMenu);
   root.append(element);
 
   const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {
@@ -87,7 +98,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
-    listenLooks(element, clock, recording, panel),
+    listenLooks(element, clock, recording, panel, timeline),
   ];
   if (recording.live) clock.follow();
   show();

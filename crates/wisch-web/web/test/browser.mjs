@@ -238,6 +238,11 @@ const cases = {
     await picture("phone-view");
     const [scene, below, words] = await Promise.all([".w-scene", ".w-below", ".w-words"].map((part) => page.locator(part).boundingBox()));
     assert.ok(scene.y + scene.height <= below.y + 1 && below.y + below.height <= words.y + 1);
+    const crowded = await page.evaluate(() => {
+      document.querySelector(".w-reach").hidden = false;
+      return [...document.querySelectorAll(".w-reach li")].filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth).map(({ innerText }) => innerText);
+    });
+    assert.deepEqual(crowded, [], "labels of the scale overlap");
     // Spreading two fingers zooms the timeline; dragging one finger seeks.
     await page.locator(".w-timeline").scrollIntoViewIfNeeded();
     const lanes = await page.locator(".w-timeline").boundingBox();
@@ -335,6 +340,10 @@ const cases = {
     await drawn(page);
     assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     await picture("time");
+    assert.match(await page.locator(".w-events li").first().innerText(), /\s+\S.* in round 1: /);
+    const described = await page.evaluate(() => document.getElementById(document.querySelector(".w-timeline").getAttribute("aria-describedby")).textContent);
+    assert.match(described, /^Round 1, 0\.0 s to 1\d\.\d s: 5 strokes, in contact for .*, pushed for .*, estimated .*\. Round 2, /);
+    assert.match(await page.locator(".w-bar svg").first().getAttribute("aria-label"), /^Round 1: estimated .*; from touch only .*; true .*; target \d+\u202f%$/);
     assert.match(await page.locator(".w-words").innerText(), /Round 2, known from 25\.\d s on[^]*Whole run, 2 rounds[^]*Round 1\s+Strokes\s+5\s+Round 2\s+Strokes\s+2/);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -415,7 +424,7 @@ const cases = {
     });
     await page.mouse.move(...at);
     const label = page.locator(".w-point");
-    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\nheight \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
+    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\ntool height \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
     const cover = await label.boundingBox();
     assert.ok(cover.x > at[0] + 12 || cover.x + cover.width < at[0] - 12, "the label covers its place");
     assert.ok(cover.height > 40, "the label has no ground");
@@ -438,6 +447,19 @@ const cases = {
     await picture("force-selected");
     await page.mouse.click(x(12), lanes.y + 100);
     await page.waitForTimeout(500);
+    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    // The same by keys.
+    const press = async (t, key) => {
+      await page.evaluate((time) => wisch.view.seek(time), t);
+      await page.keyboard.press(key);
+      await page.waitForTimeout(500);
+    };
+    await press(9.6, "o");
+    await press(5, "i");
+    const keyed = await page.evaluate(() => wisch.view.ribbon);
+    assert.ok(keyed.lit > 5 && keyed.lit < keyed.drawn, JSON.stringify(keyed));
+    assert.match(await page.locator(".w-timeline").getAttribute("aria-valuetext"), /, selected: 5\.00 s to 9\.60 s, force \u22120\.\d to 1\d\.\d N$/);
+    await press(12, "Escape");
     assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
     await page.getByLabel("Force along the path").uncheck();
     await page.waitForTimeout(300);
@@ -582,6 +604,10 @@ const cases = {
     await page.waitForFunction(() => window.firstFrame);
     await page.getByText("Film", { exact: true }).click();
     const said = page.locator(".w-film p");
+    await page.getByLabel("Part of the run").focus();
+    await page.keyboard.press("Escape");
+    assert.deepEqual(await page.evaluate(() => [document.querySelector(".w-film").open, document.activeElement.innerText]), [false, "Film"], "Escape closes the menu");
+    await page.getByText("Film", { exact: true }).click();
     await page.getByRole("button", { name: "Record at 1\u00d7" }).click();
     await page.waitForFunction(() => document.querySelector(".w-film progress").value > 0.02);
     assert.match(await said.innerText(), /^Recording \d+ s at 1\u00d7\.$/);

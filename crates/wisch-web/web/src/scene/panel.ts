@@ -13,6 +13,7 @@ import { hexOr, safeColour } from "./path.ts";
 import type { Layers, Look, Shown } from "./stage.ts";
 import type { Recording } from "../store.ts";
 import { isTreated, mapAt, quantityOf } from "../treated.ts";
+import { heightText } from "../words.ts";
 import type { TreatmentRecord } from "../recording.ts";
 import type { Round } from "../round.ts";
 import type { Choice } from "../why.ts";
@@ -144,7 +145,7 @@ export class ScenePanel {
     const target = round.isPressed(instant.time) ? round.target : null;
     say(this.point, [
       `${fixed(normal, 1)} N${target === null ? "" : `, ${percent(normal / target)} of the target of ${fixed(target, 1)} N`}`,
-      height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
+      height === null ? "" : `tool height ${heightText(instant)}`,
       `${clockText(time!, 2)} (click to go there)`,
     ].filter((line) => line).join("\n"));
     const [x, y] = pointer;

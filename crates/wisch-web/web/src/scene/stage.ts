@@ -19,7 +19,7 @@ import { Painter } from "./painter.ts";
 import { Axes, Path, Trajectories, hexOr } from "./path.ts";
 import type { ShownFrame, Trajectory } from "./path.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
-import { Robot, ghostMaterial } from "./robot.ts";
+import { Robot, makeGhost } from "./robot.ts";
 import type { RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
 import { Still } from "./surface.ts";
@@ -213,7 +213,7 @@ export class Stage {
     this.seeThrough = share;
     const { body, arm, joint, ring, handle, own } = this.materials;
     for (const material of [body, arm, joint, ring, handle, ...own.values()]) this.clear(material);
-    if (this.robot) this.robot.last = share > 0;
+    if (this.robot) this.robot.order = share > 0 ? 9 : 0;
     this.ask();
   }
 
@@ -258,11 +258,7 @@ export class Stage {
     for (const { time, color } of this.shown.ghosts) {
       const instant = this.recording.at(time);
       if (!instant) continue;
-      const look = ghostMaterial();
-      look.color.set(hexOr(color, colour("ghost")));
-      const ghost = new Robot(head, meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look }, this.robot);
-      ghost.show(instant.round.plan.root, instant.q, instant.tool);
-      this.ghosts.add(ghost.group);
+      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), instant.round.plan.root, instant.q, instant.tool));
     }
   }
 

@@ -90,6 +90,8 @@ export class Still {
     this.strokeGroup.visible = layers.strokes || chosen !== null;
     this.strokes.forEach((line, i) => {
       line.visible = layers.strokes || i === chosen;
+      line.material.name = i === chosen ? "chosen" : "stroke";
+      line.material.color.set(colour(line.material.name));
       line.material.linewidth = i === chosen ? 7 : i === stroke ? 9 : 6;
       line.material.opacity = i === chosen ? 1 : i === stroke ? 0.6 : 0.35;
     });

@@ -1,8 +1,8 @@
 // Two recordings on one clock: their curves in the same plots, and a table of what differs.
-import { DASH, clockText, el, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
+import { DASH, clockText, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
-import { estimateText, stateOf } from "../words.ts";
+import { stateOf } from "../words.ts";
 import type { Clock } from "../clock.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Round } from "../round.ts";

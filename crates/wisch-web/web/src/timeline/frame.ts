@@ -11,7 +11,7 @@ export type LaneName = "axis" | "rounds" | "phases" | "contact" | "events" | "fo
 
 const LABELS: Record<LaneName, string> = {
   axis: "", rounds: "Round", phases: "Phase, stroke", contact: "Contact", events: "Events",
-  force: "Force [N]", height: "Height [mm]", performance: "Performance\n[%]",
+  force: "Force [N]", height: "Tool height\n[mm]", performance: "Performance\n[%]",
 };
 const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
 /** Dashes of the simulator's truth and of predictions, on the timeline [pixels]. */
