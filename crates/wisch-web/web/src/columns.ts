@@ -13,25 +13,21 @@ export class Column {
   }
 
   push(value: number): void {
-    if (this.length === this.data.length) this.reserve(2 * this.length);
+    if (this.length === this.data.length) {
+      const grown = this.exact ? new Float64Array(2 * this.length) : new Float32Array(2 * this.length);
+      grown.set(this.data);
+      this.data = grown;
+    }
     this.data[this.length++] = value;
   }
 
   /** Appends `value` until the column has `length` values. */
   fill(value: number, length: number): void {
-    if (length > this.data.length) this.reserve(Math.max(length, 2 * this.data.length));
-    if (length > this.length) this.data.fill(value, this.length, length);
-    this.length = Math.max(length, this.length);
+    while (this.length < length) this.push(value);
   }
 
   get last(): number {
     return this.length ? this.data[this.length - 1]! : NaN;
-  }
-
-  private reserve(capacity: number): void {
-    const grown = this.exact ? new Float64Array(capacity) : new Float32Array(capacity);
-    grown.set(this.data.subarray(0, this.length));
-    this.data = grown;
   }
 }
 

@@ -11,8 +11,7 @@ import { Recording } from "./store.ts";
 import { Story } from "./story.ts";
 import { read } from "./studio/address.ts";
 import { startStudio } from "./studio/main.ts";
-import { mountView } from "./view.ts";
-import type { View } from "./view.ts";
+import { mountView, type View } from "./view.ts";
 
 /** Returns a button that switches between the light and the dark theme. */
 function themeButton(): HTMLButtonElement {

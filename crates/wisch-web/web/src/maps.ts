@@ -2,8 +2,7 @@
 import { capitalise, el, makeSwatches, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture } from "./picture.ts";
-import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
-import type { Degree } from "./treated.ts";
+import { bandText, binOf, binsOf, CELL_REACH, DEGREES, degreesOf, quantityOf, resultValues, shareOf, type Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import type { TreatmentRecord } from "./recording.ts";

@@ -1,8 +1,7 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { lastIndex } from "./columns.ts";
 import { metres } from "./particles.ts";
-import { Round } from "./round.ts";
-import type { Contact } from "./round.ts";
+import { Round, type Contact } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
 import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
@@ -81,13 +80,7 @@ export class Recording {
   /** Parses a whole recording from its JSON lines. */
   static parse(text: string): Recording {
     const recording = new Recording();
-    let from = 0;
-    while (from < text.length) {
-      let to = text.indexOf("\n", from);
-      if (to < 0) to = text.length;
-      recording.applyLine(text.slice(from, to));
-      from = to + 1;
-    }
+    for (const line of text.split("\n")) recording.applyLine(line);
     recording.close();
     return recording;
   }

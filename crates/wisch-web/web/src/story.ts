@@ -4,8 +4,7 @@ import { clockText, el, estimateText, percent, say, saysPush, svg } from "./dom.
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
-import { makeFigure, surfacePicture, viewOf } from "./picture.ts";
-import type { Dots } from "./picture.ts";
+import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -165,7 +164,7 @@ export class Story {
   private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
     const { observedBefore } = this.recording;
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
-    const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
+    const before: Dots[] = [{ mark: "believed", places: first.particles.first }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
     const bent = first.plan.surface.shape;
     const figure = (title: string, round: Round, layers: Dots[]) =>
@@ -173,7 +172,7 @@ export class Story {
     const names = (...layers: Dots[]) => [...new Set(layers.map(({ mark }) => mark as string)), ...goal];
     if (!last) {
       if (first.plan.kind !== "planned") return [figure("Believed before", first, before), makeLegend(names(...before))];
-      const predicted = [{ mark: "believed" as const, places: first.particles.places(Math.max(0, first.particles.times.length - 1)) }];
+      const predicted = [{ mark: "believed" as const, places: first.particles.last }];
       return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...before, ...predicted))];
     }
     if (seam) {

@@ -3,8 +3,7 @@ import { el, fixed, percent, svg } from "./dom.ts";
 import { makeMapFigure, makeScale } from "./maps.ts";
 import { countWithin, metres } from "./particles.ts";
 import { makeFigure, pathOf, surfacePicture, viewOf } from "./picture.ts";
-import { DEGREES, binOf, binsOf, resultValues } from "./treated.ts";
-import type { Degree } from "./treated.ts";
+import { binOf, binsOf, DEGREES, resultValues, type Degree } from "./treated.ts";
 import type { LeftOut } from "./recording.ts";
 import type { Round } from "./round.ts";
 
@@ -62,8 +61,8 @@ const compare = (more: number, count: number, noun: string, rest: string): strin
 function compareDirt({ plan, particles }: Round, without: LeftOut): string {
   const { goal, considered } = plan;
   const left = (places: Float32Array): number => places.length / 2 - (goal?.kind === "collected" ? countWithin(places, goal) : 0);
-  const count = particles.places(0).length / 2;
-  const more = left(metres(without.particles)) - left(particles.at(Infinity));
+  const count = particles.first.length / 2;
+  const more = left(metres(without.particles)) - left(particles.last);
   const stay = goal?.kind === "collected" ? "stay outside the goal area" : "stay on the surface";
   const whole = plan.lost ?? considered?.find(({ chosen }) => chosen)?.lost ?? null;
   const change = without.lost - (whole ?? NaN);
@@ -116,7 +115,7 @@ export function makeStrokeFigures(round: Round, stroke: number): Element[] {
   const { treatment: record } = round.plan;
   const figure = (title: string, isWiped: boolean): HTMLElement | null => {
     const values = isWiped ? round.treated?.last ?? null : resultValues(record, without.treated);
-    const places = isWiped ? round.particles.at(Infinity) : metres(without.particles);
+    const places = isWiped ? round.particles.last : metres(without.particles);
     const label = `${title}, at the end: ${viewOf(round)} with ${places.length / 2} particles`;
     const made = record ? makeMapFigure(title, round, values) : makeFigure(surfacePicture(round, [{ mark: "believed", places }], label), title);
     const picture = made?.querySelector<SVGSVGElement>("svg.w-picture");

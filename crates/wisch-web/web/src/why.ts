@@ -1,7 +1,6 @@
 // Why this plan: its reasons, the candidate plans, and what each stroke is predicted to gain.
 import { el, estimateText, fixed, formatKnown, makeList, makeRow, makeTable, percent } from "./dom.ts";
-import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
-import type { StrokeGain } from "./strokes.ts";
+import { describeStroke, findGains, LEAST_SHARE, makeStrokeFigures, predictWhole, type StrokeGain } from "./strokes.ts";
 import type { Considered, Places, RoundPiece } from "./recording.ts";
 import type { Round } from "./round.ts";
 

@@ -5,8 +5,7 @@ import type { Clock } from "./clock.ts";
 import type { Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Instant, Recording } from "./store.ts";
-import { Why } from "./why.ts";
-import type { Choice } from "./why.ts";
+import { Why, type Choice } from "./why.ts";
 
 const makeSection = (title: string, open: boolean, ...children: (Node | string)[]) =>
   el("details", { class: "w-section", open }, el("summary", {}, el("h2", {}, title)), ...children);
@@ -135,6 +134,7 @@ export class Words {
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
     say(this.live.height, heightText(instant));
+    this.live.height.toggleAttribute("data-words", !/\d/.test(this.live.height.textContent));
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));

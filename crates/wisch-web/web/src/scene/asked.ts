@@ -1,7 +1,6 @@
 // Queried particles: diamonds with a dark rim, filled for the dirt before a round, hollow for the estimate after it. The marks
 // of the recording have other shapes, so that readers distinguish both without colours.
-import { Group } from "three";
-import type { CanvasTexture } from "three";
+import { Group, type CanvasTexture } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
 import { lift } from "./bend.ts";

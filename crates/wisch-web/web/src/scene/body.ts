@@ -1,13 +1,10 @@
 // The body of a robot that has collision shapes only: casings in its capsules, housings round its joints' axes, and what
 // holds the tool. It stays inside the collision shapes, up to what `test/body.test.mjs` allows, so that no gap looks free
 // that is not.
-import { Box3, Matrix4, Vector3 } from "three";
-import type { BufferGeometry } from "three";
+import { Box3, Matrix4, Vector3, type BufferGeometry } from "three";
 import { mergeGeometries, mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { addGrip } from "./grip.ts";
-import type { Held } from "./grip.ts";
-import { alongAxis, distanceTo, makePatch, turn } from "./shell.ts";
-import type { Add, Finish, Profile, Rod, Shell } from "./shell.ts";
+import { addGrip, type Held } from "./grip.ts";
+import { alongAxis, distanceTo, makePatch, turn, type Add, type Finish, type Profile, type Rod, type Shell } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
 import { Tree } from "./tree.ts";
 import type { Head, JointRecord, MeshRecord, RobotRecord, Solid } from "../recording.ts";

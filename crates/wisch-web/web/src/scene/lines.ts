@@ -1,6 +1,5 @@
 // Lines with a width in pixels, which can grow.
-import type { Color } from "three";
-import { Vector3 } from "three";
+import { Vector3, type Color } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";

@@ -2,8 +2,7 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import { metres } from "../particles.ts";
 import { colour } from "../theme.ts";
-import { CELL_REACH, binOf, binsOf } from "../treated.ts";
-import type { SurfaceValues } from "../treated.ts";
+import { binOf, binsOf, CELL_REACH, type SurfaceValues } from "../treated.ts";
 import { lift } from "./bend.ts";
 import { placeAt, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";

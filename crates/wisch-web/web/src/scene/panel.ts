@@ -6,11 +6,9 @@ import { makeScale } from "../maps.ts";
 import { colour, onTheme, isPrinting } from "../theme.ts";
 import { FORCES } from "./ribbon.ts";
 import { collisionOf, hasMadeBody } from "./robot.ts";
-import { LAYERS, NOTHING_SHOWN, Stage } from "./stage.ts";
-import { askedColour } from "./asked.ts";
-import type { ShownParticles } from "./asked.ts";
+import { LAYERS, NOTHING_SHOWN, Stage, type Layers, type Look, type Shown } from "./stage.ts";
+import { askedColour, type ShownParticles } from "./asked.ts";
 import { hexOr, safeColour } from "./path.ts";
-import type { Layers, Look, Shown } from "./stage.ts";
 import type { Recording } from "../store.ts";
 import { isTreated, mapAt, quantityOf } from "../treated.ts";
 import { heightText } from "../words.ts";
@@ -18,9 +16,22 @@ import type { TreatmentRecord } from "../recording.ts";
 import type { Round } from "../round.ts";
 import type { Choice } from "../why.ts";
 
-const NAMES: Record<keyof Layers, string> = {
-  believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", ribbon: "Force along the path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events, force at pushes", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
+/** Labels of the layers, and whether a recording has data for them: layers without data get no toggle. */
+const LISTED: Record<keyof Layers, [label: string, has: (recording: Recording) => unknown]> = {
+  believed: ["Believed and predicted dirt", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0))],
+  estimated: ["Estimated dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null)],
+  actual: ["True dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null)],
+  seen: ["Observed dirt", ({ rounds, observedBefore }) => observedBefore ?? rounds.some(({ observed }) => observed)],
+  path: ["Tool path", ({ rounds }) => rounds.some(({ count }) => count)],
+  ribbon: ["Force along the path", ({ rounds }) => rounds.some(({ count }) => count)],
+  strokes: ["Planned strokes", ({ rounds }) => rounds.some(({ plan }) => plan.strokes.length)],
+  rejected: ["Rejected plan, chosen in its table", ({ rounds }) => rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length))],
+  bases: ["Rated base poses", ({ rounds }) => rounds.some(({ plan }) => plan.bases?.poses.length)],
+  force: ["Force", ({ rounds }) => rounds.some(({ count }) => count)],
+  events: ["Events, force at pushes", ({ happenings }) => happenings.length],
+  found: ["Surface found by touch", ({ rounds }) => rounds.some(({ interpreted }) => interpreted?.found)],
+  actualSurface: ["True surface", ({ rounds }) => rounds.some(({ truth }) => truth?.surface)],
+  collision: ["Collision shapes", ({ head }) => head?.robot?.links.some((link) => collisionOf(link).length)],
 };
 
 /** Distance of the label from the pointer [pixels]. */
@@ -107,32 +118,15 @@ export class ScenePanel {
     this.showScale();
     if (this.version === this.recording.version) return;
     this.version = this.recording.version;
-    // Layers without data get no toggle.
-    const { rounds, observedBefore, head } = this.recording;
+    const { rounds, head } = this.recording;
     const robot = head?.robot;
-    const has: Record<keyof Layers, unknown> = {
-      believed: rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0)),
-      estimated: rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null),
-      actual: rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null),
-      seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
-      path: rounds.some(({ count }) => count > 0),
-      ribbon: rounds.some(({ count }) => count > 0),
-      strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
-      rejected: rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length)),
-      bases: rounds.some(({ plan }) => plan.bases?.poses.length),
-      force: rounds.some(({ count }) => count > 0),
-      events: this.recording.happenings.length > 0,
-      found: rounds.some(({ interpreted }) => interpreted?.found != null),
-      collision: robot?.links.some((link) => collisionOf(link).length > 0) ?? false,
-      actualSurface: rounds.some(({ truth }) => truth?.surface != null),
-    };
     if (robot && hasMadeBody(robot)) this.boxes.get("collision")?.querySelector("label")!.replaceChildren(mark("collision"), "Collision shapes (the robot's shell is drawn from them)");
     const treated = rounds.find(isTreated);
     if (this.stage && treated && !this.treats) this.nameMaps(treated);
     this.element.toggleAttribute("data-target", rounds.some(({ target }) => target !== null));
-    for (const [name, box] of this.boxes) box.hidden = !has[name];
+    for (const [name, box] of this.boxes) box.hidden = !LISTED[name][1](this.recording);
     const layers = this.element.querySelector<HTMLElement>(".w-layers");
-    if (layers) layers.hidden = !Object.values(has).some(Boolean);
+    if (layers) layers.hidden = [...this.boxes.values()].every(({ hidden }) => hidden);
   }
 
   /** Shows force and height of the tool at the place of its path that is under the pointer. */
@@ -244,7 +238,7 @@ export class ScenePanel {
         this.showScale();
         this.listNamed();
       } });
-      const item = el("li", {}, box, el("label", { for: id }, mark(name), NAMES[name]));
+      const item = el("li", {}, box, el("label", { for: id }, mark(name), LISTED[name][0]));
       this.boxes.set(name, item);
       return item;
     });

@@ -2,16 +2,14 @@
 import { Color, Group, Vector3 } from "three";
 import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
-import { dotTexture, makeDots } from "./dots.ts";
-import type { Dots } from "./dots.ts";
+import { dotTexture, makeDots, type Dots } from "./dots.ts";
 import { normalUnder } from "./bend.ts";
 import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
 import { disposeAll, matrix } from "./solids.ts";
 import type { Pose } from "../recording.ts";
-import { LEAST_SAMPLES } from "../round.ts";
-import type { Contact, Round } from "../round.ts";
+import { LEAST_SAMPLES, type Contact, type Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
 const STEP_M = 0.0015;

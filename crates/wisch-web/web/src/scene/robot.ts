@@ -1,6 +1,5 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Vector3 } from "three";
-import type { BufferGeometry, Material } from "three";
+import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Vector3, type BufferGeometry, type Material } from "three";
 import { makeBody } from "./body.ts";
 import type { Finish } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";

@@ -6,21 +6,17 @@ import {
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
 import type { BufferGeometry } from "three";
-import { Asked } from "./asked.ts";
-import type { ShownParticles } from "./asked.ts";
+import { Asked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
-import { Dirt } from "./dirt.ts";
-import type { Mark } from "./dirt.ts";
+import { Dirt, type Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments, setSegments } from "./lines.ts";
 import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { Axes, Path, Trajectories, hexOr } from "./path.ts";
-import type { ShownFrame, Trajectory } from "./path.ts";
+import { Axes, hexOr, Path, Trajectories, type ShownFrame, type Trajectory } from "./path.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
-import { Robot, makeGhost } from "./robot.ts";
-import type { RobotMaterials } from "./robot.ts";
+import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
 import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
@@ -85,10 +81,9 @@ export class Stage {
   private grid: GridHelper | null = null;
   private robot: Robot | null = null;
   private readonly ghosts = new Group();
-  private still: Still | null = null;
-  private path: Path | null = null;
-  private shots: Shots | null = null;
-  private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
+  /** What is shown of the current round, and of the recent ones. */
+  private current: { still: Still; path: Path; shots: Shots } | null = null;
+  private readonly entered = new Map<Round, NonNullable<Stage["current"]>>();
   private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
   private readonly highlights = segments([], new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }));
@@ -178,23 +173,25 @@ export class Stage {
 
   look(at: Look): void {
     const instant = this.recording.at(this.time);
-    if (!this.shots || !instant) return;
+    const shots = this.current?.shots;
+    if (!shots || !instant) return;
     this.shot = null;
     this.chosen = true;
-    const points = at === "all" ? [...this.shots.all(instant.time), ...this.bases.places] : this.shots.surface();
-    this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : this.shots.from, this.camera.angles), true);
+    const points = at === "all" ? [...shots.all(instant.time), ...this.bases.places] : shots.surface();
+    this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : shots.from, this.camera.angles), true);
     this.ask();
   }
 
   /** Returns the time of the common clock at which the tool was at a point of the canvas; null if its path is not near. */
   timeAt(x: number, y: number): number | null {
-    if (!this.path || !(this.layers.path || this.layers.ribbon)) return null;
+    const path = this.current?.path;
+    if (!path || !(this.layers.path || this.layers.ribbon)) return null;
     const { clientWidth, clientHeight } = this.canvas;
-    const time = this.path.nearest((place) => {
+    const time = path.nearest((place) => {
       place.project(this.camera.lens);
       return { x: ((place.x + 1) / 2) * clientWidth, y: ((1 - place.y) / 2) * clientHeight };
-    }, x, y, this.time - this.path.round.start, NEAR_PX, !this.layers.path);
-    return time === null ? null : this.path.round.start + time;
+    }, x, y, this.time - path.round.start, NEAR_PX, !this.layers.path);
+    return time === null ? null : path.round.start + time;
   }
 
   /** Whether the camera follows the work: wide in free motion, close at strokes. */
@@ -225,7 +222,7 @@ export class Stage {
 
   /** What a reader chose of the plan of the shown round. */
   private get chosenNow(): Choice | null {
-    return this.choice && this.choice.round === this.still?.round ? this.choice : null;
+    return this.choice && this.choice.round === this.current?.still.round ? this.choice : null;
   }
 
   /** Lights up the force along the path in an interval of the common clock; null ends this. */
@@ -237,7 +234,7 @@ export class Stage {
 
   /** Number of drawn and of lit segments of the force along the path, for measurements. */
   get ribbon(): { drawn: number; lit: number } {
-    return this.path?.ribbon.counts ?? { drawn: 0, lit: 0 };
+    return this.current?.path.ribbon.counts ?? { drawn: 0, lit: 0 };
   }
 
   /** Shows data of a query instead of those before. */
@@ -312,27 +309,32 @@ export class Stage {
       this.scene.add(this.robot.group);
       this.makeGhosts();
     }
-    if (this.still?.round !== round) this.enter(instant);
+    if (this.current?.still.round !== round) this.enter(round);
+    const { still, path } = this.current!;
     this.aim(time);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
     const choice = this.chosenNow;
     this.rejected.show(this.layers.rejected && choice?.rejected ? choice.rejected.lines : null, round.plan.surface);
     this.bases.show(this.layers.bases ? round.plan.bases : undefined, theme());
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
+    still.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
     if (this.robot) this.robot.collisionShown = this.layers.collision;
-    this.still!.fade(this.camera.lens.position);
-    this.path!.show(time, this.layers);
-    this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
+    still.fade(this.camera.lens.position);
+    path.show(time, this.layers);
+    this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(still.surface, this.canvas.clientHeight));
     this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
   /** Switches to another round; the geometry of recent rounds stays cached. */
-  private enter({ round }: Instant): void {
-    for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
-    const kept = this.entered.get(round) ?? this.make(round);
+  private enter(round: Round): void {
+    if (this.current) this.scene.remove(this.current.still.group, this.current.path.object);
+    let kept = this.entered.get(round);
+    if (!kept) {
+      const still = new Still(round, this.recording);
+      kept = { still, path: new Path(round), shots: new Shots(this.recording, this.robot, still) };
+    }
     this.entered.delete(round);
     this.entered.set(round, kept);
     for (const [oldest, { still, path }] of this.entered) {
@@ -341,23 +343,15 @@ export class Stage {
       still.dispose();
       path.dispose();
     }
-    this.still = kept.still;
-    this.path = kept.path;
-    this.shots = kept.shots;
-    this.scene.add(this.still.group, this.path.object);
+    this.current = kept;
+    this.scene.add(kept.still.group, kept.path.object);
     this.drawHighlights();
     this.lightRibbon();
   }
 
-  private make(round: Round): { still: Still; path: Path; shots: Shots } {
-    const still = new Still(round, this.recording);
-    return { still, path: new Path(round), shots: new Shots(this.recording, this.robot, still) };
-  }
-
   /** Chooses the first view; while the camera follows, the view of a time of the round. */
   private aim(time: number): void {
-    const { shots } = this;
-    if (!shots) return;
+    const shots = this.current!.shots;
     if (!this.begun) {
       this.begun = true;
       this.camera.look(fit(shots.surface(), shots.from, this.camera.angles));
@@ -387,14 +381,14 @@ export class Stage {
   }
 
   private lightRibbon(): void {
-    if (!this.path) return;
-    const { start } = this.path.round;
-    this.path.ribbon.select(this.selected && [this.selected[0] - start, this.selected[1] - start]);
+    if (!this.current) return;
+    const { ribbon, round: { start } } = this.current.path;
+    ribbon.select(this.selected && [this.selected[0] - start, this.selected[1] - start]);
   }
 
   private drawHighlights(): void {
-    const start = this.path?.round.start ?? 0;
-    setSegments(this.highlights, this.shown.intervals.flatMap(({ start: from, end: to }) => this.path?.between(from - start, to - start) ?? []));
+    const path = this.current?.path;
+    setSegments(this.highlights, path ? this.shown.intervals.flatMap(({ start, end }) => path.between(start - path.round.start, end - path.round.start)) : []);
   }
 
   private build({ center, radius }: Sphere): void {

@@ -13,8 +13,7 @@ import { geometryOf, placeAt, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
 import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
-import { type Bend, trueShape } from "../store.ts";
-import type { Recording } from "../store.ts";
+import { trueShape, type Bend, type Recording } from "../store.ts";
 import type { Round } from "../round.ts";
 import type { Pose } from "../recording.ts";
 

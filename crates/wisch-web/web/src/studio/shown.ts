@@ -1,8 +1,7 @@
 // The data that an answer shows, with times on the common clock of a recording.
 import { clockText } from "../dom.ts";
 import { colour as named } from "../theme.ts";
-import { NOTHING_SHOWN } from "../scene/stage.ts";
-import type { Shown } from "../scene/stage.ts";
+import { NOTHING_SHOWN, type Shown } from "../scene/stage.ts";
 import type { View } from "../view.ts";
 import type { Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";

@@ -2,8 +2,7 @@
 import { Clock, onRest } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
 import { Story } from "../story.ts";
-import { mountView } from "../view.ts";
-import type { View } from "../view.ts";
+import { mountView, type View } from "../view.ts";
 import { stateOf } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";

@@ -1,7 +1,6 @@
 // Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
-import { drawFitted, setText } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawFitted, setText, type Frame, type Lane, type Pen } from "./frame.ts";
 
 export interface Interval {
   start: number;

@@ -2,8 +2,7 @@
 import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
-import { TRUTH_DASH, drawClipped, drawFitted, drawLine, fillLane, setText, ticks } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
 import type { Happening, Recording } from "../store.ts";
 

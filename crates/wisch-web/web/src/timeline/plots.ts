@@ -2,8 +2,7 @@
 import { fixed } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { forEachPixel } from "./lanes.ts";
-import { PREDICTED_DASH, drawClipped, drawLine, levels, setText } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawClipped, drawLine, levels, PREDICTED_DASH, setText, type Frame, type Lane, type Pen } from "./frame.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
 import type { Round } from "../round.ts";
