@@ -37,18 +37,20 @@ const label = (x: number, y: number, words: string, anchor: "start" | "end" = "e
 const oneLine = (words: string): string => words.replace("\n", ", ");
 const cut = (words: string, most: number): string => (words.length > most ? `${words.slice(0, most - 1)}\u2026` : words);
 
+/** Draws an interval of numbers per row, with its name beside it. */
+function drawRows(rows: readonly { name: string; from: number; to: number; value: string; label?: string }[], [low, high]: [number, number], room: number, fill: string): SVGElement[] {
+  const x = (value: number) => LABEL + ((WIDTH - LABEL - room) * (value - low)) / (high - low || 1);
+  return rows.flatMap(({ name, from, to, value, label: text }, i) => [
+    ...label(LABEL - 6, i * ROW + 17, name),
+    svg("rect", { x: x(from), y: i * ROW + 4, width: Math.max(1, x(to) - x(from)), height: ROW - 6, rx: 3, fill: `var(--${fill})` }, svg("title", {}, `${oneLine(name)}: ${value}`)),
+    ...(text === undefined ? [] : [svgText(x(to) + 5, i * ROW + 17, text)]),
+  ]);
+}
+
 function drawBars(amounts: [string, number][]): SVGSVGElement {
-  const [low, high] = [Math.min(0, ...amounts.map(([, n]) => n)), Math.max(0, ...amounts.map(([, n]) => n))];
-  const x = (value: number) => LABEL + ((WIDTH - LABEL - 52) * (value - low)) / (high - low || 1);
-  return picture(amounts.length * ROW + 6, ...amounts.flatMap(([name, value], i) => {
-    const y = i * ROW + 4;
-    const [from, to] = value < 0 ? [x(value), x(0)] : [x(0), x(value)];
-    return [
-      ...label(LABEL - 6, y + 13, name),
-      svg("rect", { x: from, y, width: Math.max(1, to - from), height: ROW - 6, rx: 3, fill: "var(--believed)" }, svg("title", {}, `${oneLine(name)}: ${value}`)),
-      svgText(to + 5, y + 13, short(value)),
-    ];
-  }));
+  const numbers = amounts.map(([, n]) => n);
+  const rows = amounts.map(([name, n]) => ({ name, from: Math.min(0, n), to: Math.max(0, n), value: String(n), label: short(n) }));
+  return picture(rows.length * ROW + 6, ...drawRows(rows, [Math.min(0, ...numbers), Math.max(0, ...numbers)], 52, "believed"));
 }
 
 function drawPie(amounts: [string, number][]): SVGSVGElement {
@@ -70,14 +72,10 @@ function drawPie(amounts: [string, number][]): SVGSVGElement {
 }
 
 function drawSpans(list: [string, [number, number]][]): SVGSVGElement {
-  const from = Math.min(...list.map(([, [start]]) => start));
-  const to = Math.max(...list.map(([, [, end]]) => end));
-  const x = (time: number) => LABEL + ((WIDTH - LABEL - 10) * (time - from)) / (to - from || 1);
-  const height = list.length * ROW + 22;
-  return picture(height, ...list.flatMap(([name, [start, end]], i) => [
-    ...label(LABEL - 6, i * ROW + 17, name),
-    svg("rect", { x: x(start), y: i * ROW + 4, width: Math.max(2, x(end) - x(start)), height: ROW - 8, rx: 3, fill: "var(--event)" }, svg("title", {}, `${oneLine(name)}: ${short(end - start)} s`)),
-  ]), svgText(LABEL, height - 4, "0 s"), svgText(WIDTH - 10, height - 4, `${short(to - from)} s`, "end"));
+  const range: [number, number] = [Math.min(...list.map(([, [start]]) => start)), Math.max(...list.map(([, [, end]]) => end))];
+  const rows = list.map(([name, [from, to]]) => ({ name, from, to, value: `${short(to - from)} s` }));
+  const height = rows.length * ROW + 22;
+  return picture(height, ...drawRows(rows, range, 10, "event"), svgText(LABEL, height - 4, "0 s"), svgText(WIDTH - 10, height - 4, `${short(range[1] - range[0])} s`, "end"));
 }
 
 function drawPoints({ points = [], diagram, x_label, y_label }: Pick<Plot, "points" | "diagram" | "x_label" | "y_label">): SVGSVGElement {
