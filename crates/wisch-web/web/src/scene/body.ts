@@ -40,7 +40,7 @@ interface Link {
 export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
   if (!robot) return [];
   const links = findLinks(robot);
-  const holder = links.find((link) => findHeld(tool, meshes, robot, links, link));
+  const holder = links.find((link) => link.rods.length > 0 && findHeld(tool, meshes, robot, links, link));
   return robot.links.map(({ name, arm, shapes }, i) => {
     const parts: Record<Finish, BufferGeometry[]> = { casing: [], joint: [], ring: [], handle: [] };
     const add: Add = (finish, geometry, at) => {
