@@ -1,6 +1,7 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
 import { isComparable, isTruthOutside } from "./belief.ts";
 import { clockText, el, estimateText, percent, say, saysPush, svg } from "./dom.ts";
+import { onNews } from "./frames.ts";
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
@@ -63,27 +64,15 @@ export class Story {
   private readonly comparison = el("div", { class: "w-comparison" });
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
   private readonly keys = new Map<HTMLElement, string>();
-  private readonly stop: () => void;
-  private asked = 0;
+  readonly destroy: () => void;
 
   /** `seek` shows a time of the common clock. */
   constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
       el("div", { class: "w-told" }, this.pictures, this.texts, this.incidents));
-    this.stop = recording.onChange((piece) => {
-      if (!piece || piece.piece !== "samples") this.ask();
-    });
+    this.destroy = onNews(recording, () => this.show());
     this.show();
-  }
-
-  destroy(): void {
-    this.stop();
-    cancelAnimationFrame(this.asked);
-  }
-
-  private ask(): void {
-    if (!this.asked) this.asked = requestAnimationFrame(() => { this.asked = 0; this.show(); });
   }
 
   private show(): void {

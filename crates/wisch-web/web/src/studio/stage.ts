@@ -1,6 +1,7 @@
 // The main area: one recording, or two side by side on one clock.
 import { Clock, onRest } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
+import { onNews } from "../frames.ts";
 import { Story } from "../story.ts";
 import { mountView, type View } from "../view.ts";
 import { stateOf } from "../words.ts";
@@ -83,15 +84,7 @@ export class Stage {
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
     const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
-    let asked = 0;
-    const stop = recording.onChange((piece) => {
-      if (piece?.piece === "samples" || asked) return;
-      asked = requestAnimationFrame(() => {
-        asked = 0;
-        head.show();
-      });
-    });
-    return { ...source, view, head, stop };
+    return { ...source, view, head, stop: onNews(recording, () => head.show()) };
   }
 
   /** Closes the summaries. */
