@@ -4,9 +4,8 @@ import { el } from "./dom.ts";
 import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
-import type { Camera } from "./scene/camera.ts";
 import { ScenePanel } from "./scene/panel.ts";
-import { NOTHING_SHOWN, type Shown } from "./scene/stage.ts";
+import { NOTHING_SHOWN, type Shown, type Stage } from "./scene/stage.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { Timeline } from "./timeline.ts";
 import { makeTransport } from "./transport.ts";
@@ -29,16 +28,8 @@ export interface View {
   seek(time: number): void;
   /** Shows data of a query instead of those before; without an argument, none. */
   show(data?: Partial<Shown>): void;
-  /** Number of drawn frames of the scene. */
-  readonly frames: number;
-  /** Number of drawn ghosts. */
-  readonly ghosts: number;
-  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses; null without a scene. */
-  readonly reasons: { stroke: number | null; rejected: number; bases: number } | null;
-  /** Number of drawn and of lit segments of the force along the path. */
-  readonly ribbon: { drawn: number; lit: number };
-  /** The camera of the scene; null without one. */
-  readonly camera: Camera | null;
+  /** The scene; null where the browser cannot draw it. */
+  readonly stage: Stage | null;
   destroy(): void;
 }
 
@@ -110,11 +101,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   return {
     element, clock, show: showData,
     seek: (time) => clock.seek(time),
-    get frames() { return panel.stage?.drawn ?? 0; },
-    get ghosts() { return panel.stage?.ghostCount ?? 0; },
-    get reasons() { return panel.stage?.reasons ?? null; },
-    get ribbon() { return panel.stage?.ribbon ?? { drawn: 0, lit: 0 }; },
-    camera: panel.stage?.camera ?? null,
+    stage: panel.stage,
     destroy: () => {
       frames.drop(show);
       texts.stop();

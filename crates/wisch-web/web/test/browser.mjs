@@ -31,7 +31,7 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", bef
   await page.addInitScript(before);
   await page.addInitScript(() => {
     const look = () => {
-      if (window.wisch?.view?.frames > 0) window.firstFrame = performance.now();
+      if (window.wisch?.view?.stage?.drawn > 0) window.firstFrame = performance.now();
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
@@ -102,7 +102,7 @@ const cases = {
     });
 
     await page.keyboard.press("Space");
-    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now(), wisch.view.clock.time]);
+    const progress = () => page.evaluate(() => [wisch.view.stage.drawn, performance.now(), wisch.view.clock.time]);
     const [frames, before, begun] = await progress();
     await page.waitForTimeout(3000);
     const [more, after, reached] = await progress();
@@ -115,9 +115,9 @@ const cases = {
     await page.keyboard.press("Space");
     assert.ok((await time(page)) > 0.5);
     await page.waitForTimeout(200);
-    const still = await page.evaluate(() => wisch.view.frames);
+    const still = await page.evaluate(() => wisch.view.stage.drawn);
     await page.waitForTimeout(500);
-    assert.ok((await page.evaluate(() => wisch.view.frames)) - still <= 1, "draws while nothing changes");
+    assert.ok((await page.evaluate(() => wisch.view.stage.drawn)) - still <= 1, "draws while nothing changes");
 
     const box = await page.locator(".w-timeline").boundingBox();
     const duration = await page.evaluate(() => wisch.view.clock.duration);
@@ -186,7 +186,7 @@ const cases = {
     await page.waitForFunction(() => window.firstFrame);
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.keyboard.press("Space");
-    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now()]);
+    const progress = () => page.evaluate(() => [wisch.view.stage.drawn, performance.now()]);
     await page.waitForTimeout(500);
     const [frames, before] = await progress();
     await page.waitForTimeout(3000);
@@ -355,7 +355,7 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     const reasons = async () => {
       await drawn(page);
-      return page.evaluate(() => wisch.view.reasons);
+      return page.evaluate(() => wisch.view.stage.reasons);
     };
     const sentences = await page.locator(".w-section .w-sentences").first().locator("li").allInnerTexts();
     assert.match(sentences[0], /^Stroke 1 is predicted to matter most: without it, the plan reaches 57\.0\u202f% instead of 78\.0\u202f%\.$/);
@@ -413,11 +413,11 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.waitForTimeout(1200);
     assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0\u202fN\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
-    const all = await page.evaluate(() => wisch.view.ribbon);
+    const all = await page.evaluate(() => wisch.view.stage.ribbon);
     assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
     // The place of the path at 2.5 s, in contact, on the screen.
     const at = await page.evaluate(() => {
-      const { lens } = wisch.view.camera;
+      const { lens } = wisch.view.stage.camera;
       const place = lens.position.clone().set(...wisch.recording.rounds[0].toolAt(2.5).slice(0, 3)).project(lens);
       const { left, top, width, height } = document.querySelector(".w-canvas").getBoundingClientRect();
       return [left + ((place.x + 1) / 2) * width, top + ((1 - place.y) / 2) * height];
@@ -441,13 +441,13 @@ const cases = {
     await page.mouse.up();
     await page.waitForTimeout(1000);
     near(await time(page), 5, 0.1);
-    const some = await page.evaluate(() => wisch.view.ribbon);
+    const some = await page.evaluate(() => wisch.view.stage.ribbon);
     assert.ok(some.lit > 5 && some.lit < some.drawn && some.drawn < all.drawn, JSON.stringify(some));
     assert.match(await page.locator(".w-timeline .w-tip").innerText(), /^selected: 5\.\d\d s to 9\.\d\d s, force \u22120\.\d to 1\d\.\d N$/m);
     await picture("force-selected");
     await page.mouse.click(x(12), lanes.y + 100);
     await page.waitForTimeout(500);
-    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
     // The same by keys.
     const press = async (t, key) => {
       await page.evaluate((time) => wisch.view.seek(time), t);
@@ -456,14 +456,14 @@ const cases = {
     };
     await press(9.6, "o");
     await press(5, "i");
-    const keyed = await page.evaluate(() => wisch.view.ribbon);
+    const keyed = await page.evaluate(() => wisch.view.stage.ribbon);
     assert.ok(keyed.lit > 5 && keyed.lit < keyed.drawn, JSON.stringify(keyed));
     assert.match(await page.locator(".w-timeline").getAttribute("aria-valuetext"), /, selected: 5\.00 s to 9\.60 s, force \u22120\.\d to 1\d\.\d N$/);
     await press(12, "Escape");
-    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
     await page.getByLabel("Force along the path").uncheck();
     await page.waitForTimeout(300);
-    assert.equal((await page.evaluate(() => wisch.view.ribbon)).drawn, 0);
+    assert.equal((await page.evaluate(() => wisch.view.stage.ribbon)).drawn, 0);
     assert.equal(await page.locator(".w-force-scale").isVisible(), false);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -554,7 +554,7 @@ const cases = {
       const { page, complaints, picture } = await show(`camera-${reducedMotion}`, whole, { reducedMotion });
       await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
       await page.waitForFunction(() => window.firstFrame);
-      const eye = () => page.evaluate(() => wisch.view.camera.lens.position.toArray());
+      const eye = () => page.evaluate(() => wisch.view.stage.camera.lens.position.toArray());
       /** Waits until the camera rests; returns how far it is from the middle of the surface, and the number of its places on the way. */
       const rest = async () => {
         const places = [await eye()];
@@ -889,10 +889,10 @@ const cases = {
       },
     };
     const { page, complaints } = await openStudio(`#compare=${first},${second}`, overview, recordings, answers);
-    await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.frames > 0));
+    await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.stage.drawn > 0));
     await page.evaluate(() => wisch.stage.shown[1].view.seek(3));
     assert.deepEqual(await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.clock.time)), [3, 3], "one clock");
-    const cameras = () => page.evaluate(() => wisch.stage.shown.map(({ view }) => view.camera.lens.position.toArray().map((v) => v.toFixed(6)).join()));
+    const cameras = () => page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.camera.lens.position.toArray().map((v) => v.toFixed(6)).join()));
     const before = await cameras();
     await page.locator(".w-canvas").first().press("d");
     await drawn(page);
@@ -903,10 +903,10 @@ const cases = {
     await button(0, "Surface").click();
     await button(1, "Fit").click();
     await page.waitForTimeout(6000);
-    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames)), await cameras()];
+    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.drawn)), await cameras()];
     await page.waitForTimeout(700);
     assert.deepEqual(await cameras(), resting, "linked cameras come to rest");
-    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames));
+    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.drawn));
     assert.ok(more[0] - frames[0] <= 2 && more[1] - frames[1] <= 2, `frames ${frames} and ${more}`);
     await page.waitForSelector("[data-curve]");
     const curves = await page.locator("[data-curve]").evaluateAll((list) => [...new Set(list.map(({ dataset }) => dataset.curve))].sort());
@@ -923,8 +923,8 @@ const cases = {
     await page.keyboard.press("/");
     await page.fill(".s-query", "show(robot, M)");
     await page.press(".s-query", "Enter");
-    await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.frames > 1, first);
-    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.ghosts), 1, "the robot is drawn");
+    await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.stage.drawn > 1, first);
+    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.stage.ghostCount), 1, "the robot is drawn");
     assert.equal(await page.evaluate(() => wisch.stage.time), 3, "the clock is at M");
     if (pictures) await page.screenshot({ path: join(pictures, "asked.png") });
     assert.deepEqual(complaints, []);
@@ -934,7 +934,7 @@ const cases = {
   async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
     const id = "20261122-010000-abcd";
     const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", collisions: 2 })]), { [id]: whole }, null, { width: 3840, height: 2160 });
-    await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
+    await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
     const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
     assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
     assert.ok(view.y + view.height <= 2161 && view.y + view.height > 2000, `the view ends at ${view.y + view.height}`);
@@ -959,9 +959,9 @@ const cases = {
     const waits = await page.evaluate(async () => {
       const list = [];
       for (let k = 0; k < 30; k++) {
-        const [from, frames] = [performance.now(), wisch.view.frames];
+        const [from, frames] = [performance.now(), wisch.view.stage.drawn];
         wisch.view.seek(((k * 977) % 3600) + 0.37);
-        while (wisch.view.frames === frames) await new Promise((done) => requestAnimationFrame(done));
+        while (wisch.view.stage.drawn === frames) await new Promise((done) => requestAnimationFrame(done));
         list.push(performance.now() - from);
       }
       return list.sort((a, b) => a - b);

@@ -74,7 +74,7 @@ export class Stage {
     if (!first || !second) return;
     const comparison = new Comparison([first.recording, second.recording], [first.id, second.id], clock);
     this.element.append(comparison.element);
-    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { camera }, recording }) => ({ camera, recording }))));
+    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { stage }, recording }) => ({ camera: stage?.camera ?? null, recording }))));
   }
 
   private makePane(source: Source, shared: Clock | undefined, i: number): Pane {
