@@ -29,7 +29,7 @@ async function open(hash = "", options = {}) {
 
 const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`) });
 const clock = (page) => page.evaluate(() => window.wisch.stage.time);
-const frames = (page) => page.evaluate(() => window.wisch.stage.shown[0]?.view.frames ?? 0);
+const frames = (page) => page.evaluate(() => window.wisch.stage.shown[0]?.view.stage?.drawn ?? 0);
 const ended = (page) => page.waitForFunction(() => window.wisch.stage.shown[0]?.recording.ended, null, { timeout: RUN_MS });
 const step = (words) => console.log(`- ${words}`);
 
@@ -86,7 +86,7 @@ try {
   assert.notEqual(dragged, paused, "the timeline drags the clock");
   const still = await frames(page);
   await drag(page, ".w-canvas", [0.5, 0.5], [0.65, 0.45]);
-  await page.waitForFunction((still) => window.wisch.stage.shown[0].view.frames > still, still);
+  await page.waitForFunction((still) => window.wisch.stage.shown[0].view.stage.drawn > still, still);
 
   step("the run ends in the same view, with its summary, as an episode");
   await ended(page);
@@ -112,7 +112,7 @@ try {
   const named = await page.locator(".w-named li").allTextContents();
   assert.ok(named.some((name) => name.startsWith("sponge")) && named.some((name) => name.startsWith("robot at")), named.join("; "));
   assert.match(page.url(), /q=owl_individual_of/);
-  await page.waitForFunction((count) => window.wisch.stage.shown[0].view.ghosts === count, named.filter((name) => name.startsWith("robot at")).length);
+  await page.waitForFunction((count) => window.wisch.stage.shown[0].view.stage.ghostCount === count, named.filter((name) => name.startsWith("robot at")).length);
   const middle = await page.locator(".w-named li", { hasText: "robot at" }).first().textContent();
   assert.ok(Math.abs((await clock(page)) - Number.parseFloat(middle.slice("robot at ".length))) < 0.06, `the clock is at ${await clock(page)}, not at M: ${middle}`);
   await shoot(page, "05-asked");
@@ -173,7 +173,7 @@ try {
 
   step("the time to the first frame is measured");
   const quick = await open(`#episode=${first}`);
-  await quick.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
+  await quick.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
   figures.firstFrameSeconds = await quick.evaluate(() => performance.now() / 1000);
   await quick.context().close();
 
@@ -214,7 +214,7 @@ try {
 
   step("a phone");
   const phone = await open(`#episode=${second}&t=14`, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
-  await phone.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
+  await phone.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
   await phone.waitForTimeout(500);
   await shoot(phone, "14-phone");
   const wide = () => phone.evaluate(() => document.documentElement.scrollWidth - innerWidth);

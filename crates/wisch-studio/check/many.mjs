@@ -43,7 +43,7 @@ try {
   const pages = [first, ...(await Promise.all(Array.from({ length: count - 1 }, open)))];
   await Promise.all(pages.map((page) => page.waitForFunction(() => window.wisch?.stage.shown[0]?.recording.rounds.length, null, { timeout: RUN_MS })));
   const here = (Date.now() - begun) / 1000;
-  const frames = () => Promise.all(pages.map((page) => page.evaluate(() => [performance.now(), window.wisch.stage.shown[0].view.frames])));
+  const frames = () => Promise.all(pages.map((page) => page.evaluate(() => [performance.now(), window.wisch.stage.shown[0].view.stage.drawn])));
   const before = await frames();
   await Promise.all(pages.map((page) => page.waitForFunction(() => window.wisch.stage.shown[0].recording.ended, null, { timeout: RUN_MS })));
   const after = await frames();

@@ -22,7 +22,7 @@ class AnswersPage {
 
   constructor(root: HTMLElement, query: string, private readonly answers: Answers, private readonly packed: Map<string, string>, corner: HTMLElement) {
     const show = (_: Answers, row: number | null, episode: string | null) => void this.show(row, episode);
-    const result = drawAnswers(answers, { show, clear: () => { for (const { view } of this.stage.shown) view.clearShown(); } });
+    const result = drawAnswers(answers, { show, clear: () => { for (const { view } of this.stage.shown) view.show(); } });
     root.classList.add("s-studio");
     root.append(
       el("aside", { class: "s-side s-asked" },

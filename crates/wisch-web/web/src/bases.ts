@@ -1,5 +1,5 @@
 // The scale of the map of base poses.
-import { el, percent } from "./dom.ts";
+import { el, makeSwatches, percent } from "./dom.ts";
 
 /** Number of colours of the scale. */
 export const REACH_BANDS = 8;
@@ -9,6 +9,6 @@ export const reachBand = (share: number): number => Math.min(REACH_BANDS - 1, Ma
 
 /** Makes the scale of the map of base poses. */
 export const makeReachScale = (): HTMLElement =>
-  el("div", { class: "w-scale w-reach" }, el("b", {}, "Base poses"), el("ul", { "aria-label": "Scale in percent" }, ...Array.from({ length: REACH_BANDS }, (_, i) =>
-    el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--band-${i + 1})` }), `\u2265 ${percent(i / REACH_BANDS, i % 2)}`))),
-  el("p", {}, "share of the path that is in reach; the tip points where the base faces; ringed: chosen, in order"));
+  el("div", { class: "w-scale w-reach" }, el("b", {}, "Base poses"),
+    makeSwatches(Array.from({ length: REACH_BANDS }, (_, i) => ({ colour: `band-${i + 1}`, label: `\u2265 ${percent(i / REACH_BANDS, i % 2)}` })), "Scale in percent"),
+    el("p", {}, "share of the path that is in reach; the tip points where the base faces; ringed: chosen, in order"));

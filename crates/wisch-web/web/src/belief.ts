@@ -1,6 +1,6 @@
 // The belief at the end of a round against the ground truth of the simulated world.
 import { fixed, percent } from "./dom.ts";
-import { PER_METRE, metres } from "./particles.ts";
+import { PER_METRE, countWithin, metres } from "./particles.ts";
 import { MOST_COUNTED } from "./strokes.ts";
 import { degreesOf, isTreated, quantityOf, resultValues, shareOf } from "./treated.ts";
 import type { DensityRecord, Places } from "./recording.ts";
@@ -36,12 +36,6 @@ export function countInCells(particles: Places, { cell, places }: DensityRecord)
   return [...counts.values()];
 }
 
-/** Returns the number of particles within a circle [m]. */
-function countWithin(particles: Places, [x, y]: [number, number], radius: number): number {
-  const at = metres(particles);
-  return at.filter((v, i) => i % 2 === 0 && Math.hypot(v - x, at[i + 1]! - y) <= radius).length;
-}
-
 /** A quantity as estimated and as true, and how far they are apart; empty if that says nothing. */
 export type Comparison = [quantity: string, estimated: string, actual: string, off: string];
 
@@ -62,8 +56,8 @@ function compareDirt({ plan: { goal }, interpreted, truth }: Round): Comparison[
   const isThinned = actual.length / 2 !== truly || (truth!.remaining === undefined && actual.length / 2 >= MOST_COUNTED);
   const rows: Comparison[] = [];
   if (goal?.kind === "collected" && !isThinned && (!density || density.goal !== undefined)) {
-    const held = density?.goal ?? countWithin(particles, goal.place, goal.radius);
-    const heldTruly = countWithin(actual, goal.place, goal.radius);
+    const held = density?.goal ?? countWithin(metres(particles), goal);
+    const heldTruly = countWithin(metres(actual), goal);
     rows.push(compareCounts(`In the goal area${of}`, held, heldTruly), compareCounts(`Elsewhere on the surface${of}`, Math.max(0, all - held), truly - heldTruly));
   } else if (truth!.remaining !== undefined || !isThinned) rows.push(compareCounts(`Left on the surface${of}`, all, truly));
   const area = (numbers: number[]) => `${Math.round(spreadOf(numbers) * density!.cell ** 2 * 1e4)} cm\u00b2`;
@@ -86,13 +80,18 @@ function compareTreated(round: Round): Comparison[] {
   ];
 }
 
+/** Whether the true performance of a round is known, and outside the interval of its estimate. */
+export function isTruthOutside({ interpreted, truth }: Round): boolean {
+  const performance = truth?.performance ?? null;
+  return Boolean(interpreted && performance !== null && (performance < interpreted.estimate.low || performance > interpreted.estimate.high));
+}
+
 /** Compares estimate and ground truth of a comparable round. */
 export function compareWithTruth(round: Round): Comparison[] {
-  const { mean, low, high } = round.interpreted!.estimate;
+  const { mean } = round.interpreted!.estimate;
   const performance = round.truth!.performance ?? null;
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
-  const isInside = performance >= low && performance <= high;
-  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isInside ? "inside" : "outside"} the interval`;
+  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isTruthOutside(round) ? "outside" : "inside"} the interval`;
   return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
 }

@@ -18,6 +18,22 @@ export interface Span {
   live: boolean;
 }
 
+/** Time without movement until a clock counts as resting [ms]. */
+const REST_MS = 300;
+
+/** Calls `act` with the time whenever a clock rests; returns a function that stops this. */
+export function onRest(clock: Clock, act: (time: number) => void): () => void {
+  let later: ReturnType<typeof setTimeout> | undefined;
+  const stop = clock.subscribe(({ playing, following }) => {
+    clearTimeout(later);
+    if (!playing && !following) later = setTimeout(() => act(clock.time), REST_MS);
+  });
+  return () => {
+    clearTimeout(later);
+    stop();
+  };
+}
+
 /** A scheduler of animation frames. */
 interface Pictures {
   request(callback: (now: number) => void): number;

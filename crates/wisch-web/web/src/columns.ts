@@ -13,34 +13,26 @@ export class Column {
   }
 
   push(value: number): void {
-    if (this.length === this.data.length) this.reserve(2 * this.length);
+    if (this.length === this.data.length) {
+      const grown = this.exact ? new Float64Array(2 * this.length) : new Float32Array(2 * this.length);
+      grown.set(this.data);
+      this.data = grown;
+    }
     this.data[this.length++] = value;
   }
 
   /** Appends `value` until the column has `length` values. */
   fill(value: number, length: number): void {
-    if (length > this.data.length) this.reserve(Math.max(length, 2 * this.data.length));
-    if (length > this.length) this.data.fill(value, this.length, length);
-    this.length = Math.max(length, this.length);
+    while (this.length < length) this.push(value);
   }
 
   get last(): number {
     return this.length ? this.data[this.length - 1]! : NaN;
   }
-
-  private reserve(capacity: number): void {
-    const grown = this.exact ? new Float64Array(capacity) : new Float32Array(capacity);
-    grown.set(this.data.subarray(0, this.length));
-    this.data = grown;
-  }
 }
 
-const FANOUT = 16;
-
-/** A column that returns minimum and maximum of any index range in O(log n), to draw an hour in one pixel. */
+/** A column with its range, for plots. */
 export class PlotColumn extends Column {
-  /** Level k holds minimum and maximum of each FANOUT^(k+1) consecutive values, alternating. */
-  private readonly levels: Column[] = [];
   least = Infinity;
   largest = -Infinity;
 
@@ -48,39 +40,15 @@ export class PlotColumn extends Column {
     super.push(value);
     if (value < this.least) this.least = value;
     if (value > this.largest) this.largest = value;
-    let [low, high] = [value, value];
-    for (let k = 0, size = FANOUT; this.length % size === 0; k++, size *= FANOUT) {
-      const below = k === 0 ? null : this.levels[k - 1]!;
-      [low, high] = [Infinity, -Infinity];
-      for (let i = 0; i < FANOUT; i++) {
-        const a = below ? below.data[below.length - 2 * FANOUT + 2 * i]! : this.data[this.length - FANOUT + i]!;
-        const b = below ? below.data[below.length - 2 * FANOUT + 2 * i + 1]! : a;
-        if (a < low) low = a;
-        if (b > high) high = b;
-      }
-      const level = (this.levels[k] ??= new Column(this.exact, 64));
-      level.push(low);
-      level.push(high);
-    }
   }
 
   /** Returns minimum and maximum of the indices from `from` up to, but not including, `to`; null if there are no finite values. */
   range(from: number, to: number): [number, number] | null {
     let [low, high] = [Infinity, -Infinity];
-    let i = Math.max(0, from);
-    const end = Math.min(to, this.length);
-    while (i < end) {
-      let [level, size] = [-1, 1];
-      while (i % (size * FANOUT) === 0 && i + size * FANOUT <= end && level + 1 < this.levels.length) {
-        level++;
-        size *= FANOUT;
-      }
-      const at = i / size;
-      const a = level < 0 ? this.data[i]! : this.levels[level]!.data[2 * at]!;
-      const b = level < 0 ? a : this.levels[level]!.data[2 * at + 1]!;
-      if (a < low) low = a;
-      if (b > high) high = b;
-      i += size;
+    for (let i = Math.max(0, from), end = Math.min(to, this.length); i < end; i++) {
+      const value = this.data[i]!;
+      if (value < low) low = value;
+      if (value > high) high = value;
     }
     return low <= high ? [low, high] : null;
   }

@@ -1,5 +1,7 @@
 // DOM elements, and numbers as text. Texts of a recording are inserted as text nodes, never as markup.
 
+import type { Estimate } from "./recording.ts";
+
 type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
 
@@ -28,12 +30,26 @@ export function say(element: Element, text: string): void {
 export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
 /** Makes a table with names of its columns. */
-export const makeTable = (names: readonly string[], rows: readonly Node[], caption = ""): HTMLElement =>
+export const makeTable = (names: readonly (Node | string)[], rows: readonly Node[], caption = ""): HTMLElement =>
   el("table", {}, caption && el("caption", {}, caption), el("thead", {}, el("tr", {}, ...names.map((name) => el("th", { scope: "col" }, name)))), el("tbody", {}, ...rows));
 
+/** Makes a row of a table from its name and its values. */
+export const makeRow = (name: Node | string, values: readonly string[]): HTMLElement =>
+  el("tr", {}, el("th", { scope: "row" }, name), ...values.map((value) => el("td", {}, value)));
+
+/** Makes a list of labels with colours of the page. */
+export const makeSwatches = (list: readonly { colour: string; label: string }[], label: string | null = null): HTMLElement =>
+  el("ul", { "aria-label": label }, ...list.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label)));
+
+/** Makes a text of a drawing. */
+export const svgText = (x: number, y: number, words: string, anchor: "start" | "middle" | "end" = "start", look: Attributes = {}): SVGElement =>
+  svg("text", { x, y, "text-anchor": anchor, fill: "var(--ink)", "font-size": 11.5, ...look }, words);
+
 const MINUS = "\u2212";
+/** Formats a number as Rust does: a tie, which has no nearest number, gets an even last digit. */
 export const fixed = (value: number, digits: number): string => {
-  const text = value.toFixed(digits);
+  const isTie = Math.abs((value * 2 ** (digits + 1)) % 2) === 1;
+  const text = (isTie ? (2 * Math.round((value * 10 ** digits) / 2)) / 10 ** digits : value).toFixed(digits);
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 };
 
@@ -42,7 +58,13 @@ export const capitalise = (text: string): string => text.charAt(0).toUpperCase()
 /** The name of a phase for people; files have "transfer". */
 export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
 
+/** Whether a text names a push, by which somebody or something else acts on the robot. */
+export const saysPush = (text: string): boolean => /push|hand guiding|human/i.test(text);
+
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
+
+/** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
+export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
 /** What stands for an unknown value. */
 export const DASH = "\u2013";

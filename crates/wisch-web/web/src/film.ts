@@ -1,10 +1,10 @@
 // Records the scene as a video that stands by itself: title, clock, phase and result are in the picture.
 import type { Clock } from "./clock.ts";
-import { clockText, el, percent, say } from "./dom.ts";
+import { clockText, el, estimateText, percent, say } from "./dom.ts";
 import type { Stage } from "./scene/stage.ts";
 import type { Recording } from "./store.ts";
 import { colour } from "./theme.ts";
-import { estimateText, headlineOf } from "./words.ts";
+import { headlineOf } from "./words.ts";
 
 const TYPES = ["video/webm;codecs=vp8", "video/webm"];
 const BITS_PER_SECOND = 5e6;

@@ -1,6 +1,8 @@
 // The work for the next animation frame: first all steps, then all draws. A draw that a step or another draw requests runs
 // in the same frame. Each draw runs at most once per frame.
 
+import type { Recording } from "./store.ts";
+
 type Step = (now: number) => void;
 type Draw = () => void;
 
@@ -88,6 +90,15 @@ export function throttle(everyMs: number, act: () => void): { ask: () => void; s
       else later = setTimeout(now, left);
     },
     stop: () => clearTimeout(later),
+  };
+}
+
+/** Calls `act` in the next frame after a recording has changed by more than samples; returns a function that stops this. */
+export function onNews(recording: Recording, act: () => void): () => void {
+  const stop = recording.onChange((piece) => { if (piece?.piece !== "samples") frames.draw(act); });
+  return () => {
+    stop();
+    frames.drop(act);
   };
 }
 

@@ -19,7 +19,8 @@ export const KEYS: [string, string][] = [
   ["V", "view from above"],
   ["W A S D", "turn the scene (while it has the focus)"],
   ["Z X", "zoom in, out (while the scene has the focus)"],
-  ["Drag", "on the plot of forces: select that part of the path"],
+  ["I O", "select the part of the path from, up to the shown time (or drag on the plot of forces)"],
+  ["Esc", "end the selection; close a menu"],
 ];
 
 /** Returns the nearest stop before (-1) or after (1) a time. */

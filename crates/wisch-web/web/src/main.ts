@@ -4,13 +4,14 @@ import "./style/page.css";
 import "./style/view.css";
 import "./style/story.css";
 import { startAnswers } from "./answers.ts";
+import { onRest } from "./clock.ts";
 import { el, say } from "./dom.ts";
 import { setTheme, startTheme, onTheme, theme } from "./theme.ts";
 import { Recording } from "./store.ts";
 import { Story } from "./story.ts";
+import { read } from "./studio/address.ts";
 import { startStudio } from "./studio/main.ts";
-import { mountView } from "./view.ts";
-import type { View } from "./view.ts";
+import { mountView, type View } from "./view.ts";
 
 /** Returns a button that switches between the light and the dark theme. */
 function themeButton(): HTMLButtonElement {
@@ -21,30 +22,19 @@ function themeButton(): HTMLButtonElement {
   return button;
 }
 
-/** Returns the time of an address such as #t=12.3. */
-const timeOf = (hash: string): number | null => {
-  const found = /^#t=(\d+(?:\.\d+)?)$/.exec(hash);
-  return found ? Number(found[1]) : null;
-};
-
 /** Writes the shown time into the address whenever the clock rests. */
 function keepAddress({ clock }: View): void {
-  let later: ReturnType<typeof setTimeout> | undefined;
-  clock.subscribe(() => {
-    clearTimeout(later);
-    if (clock.playing || clock.following) return;
-    later = setTimeout(() => {
-      const hash = `#t=${clock.time.toFixed(1)}`;
-      if (location.hash === hash || (!location.hash && clock.time === 0)) return;
-      try {
-        history.replaceState(null, "", hash);
-      } catch {
-        // Some viewers of local files forbid changes of the address.
-      }
-    }, 300);
+  onRest(clock, (time) => {
+    const hash = `#t=${time.toFixed(1)}`;
+    if (location.hash === hash || (!location.hash && time === 0)) return;
+    try {
+      history.replaceState(null, "", hash);
+    } catch {
+      // Some viewers of local files forbid changes of the address.
+    }
   });
   addEventListener("hashchange", () => {
-    const time = timeOf(location.hash);
+    const { time } = read(location.hash);
     if (time !== null && Math.abs(time - clock.time) > 0.06) clock.seek(time);
   });
 }
@@ -58,7 +48,7 @@ function startReport(app: HTMLElement): void {
   }, themeButton());
   app.append(story.element);
   const view = mountView(app, recording);
-  view.seek(timeOf(location.hash) ?? 0);
+  view.seek(read(location.hash).time ?? 0);
   keepAddress(view);
   // For measurements, and for use from the browser's console.
   Object.assign(window, { wisch: { recording, view, Recording, mountView } });

@@ -1,9 +1,8 @@
 // Maps of a treated surface with their scale: passes or coat thickness, and the allowed band.
-import { capitalise, el, percent, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, makeSwatches, percent, svg, uniqueId } from "./dom.ts";
 import { metres } from "./particles.ts";
-import { surfacePicture } from "./picture.ts";
-import { CELL_REACH, DEGREES, bandText, binOf, binsOf, degreesOf, quantityOf, resultValues, shareOf } from "./treated.ts";
-import type { Degree } from "./treated.ts";
+import { makeFigure, surfacePicture } from "./picture.ts";
+import { bandText, binOf, binsOf, CELL_REACH, DEGREES, degreesOf, quantityOf, resultValues, shareOf, type Degree } from "./treated.ts";
 import type { Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import type { TreatmentRecord } from "./recording.ts";
@@ -14,7 +13,7 @@ export function makeScale(record: TreatmentRecord): HTMLElement {
   const group = (degree: Degree) => {
     const shown = bins.filter((bin) => bin.degree === degree);
     return shown.length > 0 && el("li", { "data-degree": degree, style: `flex-grow:${shown.length}` }, el("span", {}, DEGREES[degree]),
-      el("ul", {}, ...shown.map(({ label, colour }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
+      makeSwatches(shown));
   };
   return el("div", { class: "w-scale" }, el("ul", { "aria-label": `Scale in ${record.unit}` }, ...(Object.keys(DEGREES) as Degree[]).map(group)),
     el("p", {}, `${record.unit}; allowed: ${bandText(record)}${record.unit === "passes" ? ", counted in whole passes" : `, target ${record.target} ${record.unit}`}`));
@@ -53,7 +52,7 @@ export function makeMapFigure(title: string, round: Round, values: number[] | nu
   const id = uniqueId();
   const label = `${title}: ${quantityOf(round)} per place; ${describeShares(record, values)} of ${values.length} places`;
   const map = svg("g", { "clip-path": `url(#${id})`, class: "w-map" }, ...drawCells(record, values));
-  return el("figure", {}, surfacePicture(round, [], label, { id, map }), el("figcaption", {}, title));
+  return makeFigure(surfacePicture(round, [], label, { id, map }), title);
 }
 
 /** Returns the figures of the first screen for a treated surface: before, predicted, and estimated or, with the truth, `seam`; with their scale. */
@@ -65,7 +64,7 @@ export function makeMapFigures({ rounds }: Recording, seam: HTMLElement | null):
   const record = last.plan.treatment;
   if (!record) {
     const missing = `This recording has no ${quantityOf(last)} per place.`;
-    return [el("figure", { class: "w-wide" }, surfacePicture(last, [], missing), el("figcaption", {}, missing))];
+    return [makeFigure(surfacePicture(last, [], missing), missing, { class: "w-wide" })];
   }
   const figures = [
     makeMapFigure("Before", first, first.treated?.first ?? null),

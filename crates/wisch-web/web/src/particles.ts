@@ -1,6 +1,6 @@
-// Particles over time. Each step removes and adds particles; snapshots give access to any step without replaying all before it.
+// Particles, and values of treated places, over time.
 import { lastAtMost, number } from "./columns.ts";
-import type { ParticleStep } from "./recording.ts";
+import type { ParticleStep, TreatmentRecord, ValueStep } from "./recording.ts";
 
 /** Positions are in tenths of a millimetre. */
 export const PER_METRE = 1e4;
@@ -9,48 +9,61 @@ const SNAPSHOT_STEPS = 32;
 
 export const metres = (places: readonly unknown[]): Float32Array => Float32Array.from(places, (v) => number(v) / PER_METRE);
 
-export class ParticleTrack {
-  readonly times: number[];
-  private readonly snapshots: Float32Array[] = [];
+/** Returns the number of particles within a circle [m]. */
+export const countWithin = (places: Float32Array, { place: [x, y], radius }: { place: [number, number]; radius: number }): number =>
+  places.filter((v, i) => i % 2 === 0 && Math.hypot(v - x, places[i + 1]! - y) <= radius).length;
+
+/** States that steps change; snapshots give access to any of them without replaying all before it. */
+class Track<State, Step extends readonly [time: number, ...rest: unknown[]]> {
+  private readonly times: number[];
+  private readonly snapshots: State[] = [];
   private index = -1;
-  private now: Float32Array = new Float32Array();
-  /** Maximum number of coordinates of a step. */
-  readonly most: number;
 
-  constructor(private readonly steps: ParticleStep[]) {
+  /** `now`: the state before the first step. `apply` returns the state after a step. */
+  constructor(private readonly steps: readonly Step[], private now: State, private readonly apply: (state: State, step: Step) => State) {
     this.times = steps.map(([time]) => number(time));
-    let places: Float32Array = new Float32Array();
-    let most = 0;
-    steps.forEach((step, i) => {
-      places = applyStep(places, step);
-      most = Math.max(most, places.length);
-      if (i % SNAPSHOT_STEPS === 0) this.snapshots.push(places);
-    });
-    this.most = most;
+    steps.reduce((state, step, i) => {
+      const next = apply(state, step);
+      if (i % SNAPSHOT_STEPS === 0) this.snapshots.push(next);
+      return next;
+    }, now);
   }
 
-  /** Returns the index of the step at a time; -1 before the first. */
-  stepAt(time: number): number {
-    return lastAtMost(this.times, time);
-  }
-
-  /** Returns the positions of a step: x, y alternating [m]. */
-  places(index: number): Float32Array {
-    if (index < 0 || !this.steps.length) return new Float32Array();
+  /** Returns the state at a time, at least that after the first step; the same object until it changes. */
+  at(time: number): State {
+    const index = Math.min(this.steps.length - 1, Math.max(0, lastAtMost(this.times, time)));
     if (index === this.index) return this.now;
     const snapshot = Math.floor(index / SNAPSHOT_STEPS);
-    const forward = this.index >= 0 && this.index < index && this.index >= snapshot * SNAPSHOT_STEPS;
-    let places = forward ? this.now : this.snapshots[snapshot]!;
-    for (let i = forward ? this.index + 1 : snapshot * SNAPSHOT_STEPS + 1; i <= index; i++) places = applyStep(places, this.steps[i]!);
-    this.index = index;
-    this.now = places;
-    return places;
+    if (!(this.index < index && this.index >= snapshot * SNAPSHOT_STEPS)) {
+      this.index = snapshot * SNAPSHOT_STEPS;
+      this.now = this.snapshots[snapshot]!;
+    }
+    while (this.index < index) this.now = this.apply(this.now, this.steps[++this.index]!);
+    return this.now;
   }
 
-  at(time: number): Float32Array {
-    return this.places(Math.max(0, this.stepAt(time)));
+  get first(): State {
+    return this.at(-Infinity);
+  }
+
+  get last(): State {
+    return this.at(Infinity);
   }
 }
+
+/** Positions of particles: x, y alternating [m]. */
+export type ParticleTrack = Track<Float32Array, ParticleStep>;
+/** Values of all places of a treated surface, in the unit of its record. */
+export type ValueTrack = Track<number[], ValueStep>;
+
+export const trackParticles = (steps: readonly ParticleStep[]): ParticleTrack => new Track(steps, new Float32Array(), applyStep);
+
+export const trackValues = ({ steps, step, places }: TreatmentRecord): ValueTrack =>
+  new Track(steps, Array.from({ length: places.length / 2 }, () => 0), (values, [, changed, written]) => {
+    const next = [...values];
+    changed.forEach((place, k) => { if (place < next.length) next[place] = number(written[k]) * step; });
+    return next;
+  });
 
 function applyStep(places: Float32Array, [, gone, added]: ParticleStep): Float32Array {
   const drop = new Set(gone);

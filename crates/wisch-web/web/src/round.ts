@@ -1,7 +1,6 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
-import { ParticleTrack } from "./particles.ts";
-import { ValueTrack } from "./values.ts";
+import { trackParticles, trackValues, type ParticleTrack, type ValueTrack } from "./particles.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
 /** Without a result, a force counts if it exceeds both this share of the round's largest normal force [1], in steps of STEP_N [N],
@@ -76,8 +75,8 @@ export class Round {
   constructor(readonly plan: RoundPiece, variables: number) {
     this.number = plan.round;
     this.q = Array.from({ length: variables }, () => new Column(false, 64));
-    this.particles = new ParticleTrack(plan.particles);
-    this.treated = plan.treatment ? new ValueTrack(plan.treatment) : null;
+    this.particles = trackParticles(plan.particles);
+    this.treated = plan.treatment ? trackValues(plan.treatment) : null;
   }
 
   /** Normal force with which the tool is to press [N]; null if it is unknown. */
@@ -118,10 +117,7 @@ export class Round {
       if (positions) for (const position of positions) column.push(number(position));
       else column.fill(before ? column.last : 0, before + n);
     });
-    for (const v of tool) this.tool.push(number(v));
-    for (const v of force) this.force.push(number(v));
-    for (const v of normal) this.normal.push(number(v));
-    for (const v of height) this.height.push(number(v));
+    for (const [column, values] of [[this.tool, tool], [this.force, force], [this.normal, normal], [this.height, height]] as const) for (const v of values) column.push(number(v));
   }
 
   /** Returns the index of the sample at or before a time, and the interpolation share towards the next in [0, 1]. */

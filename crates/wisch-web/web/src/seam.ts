@@ -1,9 +1,9 @@
 // A seam over the picture of the surface at the end of a round: estimated on its left, true on its right.
 import { compareWithTruth, isComparable } from "./belief.ts";
-import { el, percent, svg, uniqueId } from "./dom.ts";
+import { capitalise, el, makeRow, makeTable, percent, svg, uniqueId } from "./dom.ts";
 import { drawCells } from "./maps.ts";
 import { metres } from "./particles.ts";
-import { surfacePicture } from "./picture.ts";
+import { surfacePicture, viewOf } from "./picture.ts";
 import { isTreated, resultValues } from "./treated.ts";
 import type { DensityRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -58,7 +58,7 @@ export class Seam {
   }
 
   private draw(round: Round): Element[] {
-    const { plan: { surface: { shape } }, interpreted, truth, number } = round;
+    const { interpreted, truth, number } = round;
     const treatment = isTreated(round) ? round.plan.treatment : null;
     const [surface, left, right] = [uniqueId(), uniqueId(), uniqueId()];
     const side = (clip: string, ...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${clip})`, class: "w-map" }, ...parts);
@@ -69,7 +69,7 @@ export class Seam {
       ...(density ? [] : [{ mark: "estimated" as const, places: metres(interpreted!.particles) }]), { mark: "actual" as const, places: metres(truth!.particles!) },
     ];
     const rows = compareWithTruth(round).map(([quantity, estimated, actual]) => `${quantity}: ${estimated} estimated, ${actual} true.`);
-    const label = `The ${shape ? "unrolled surface" : "surface from above"} at the end of round ${number}: estimated left of the seam, true right of it. ${rows.join(" ")}`;
+    const label = `${capitalise(viewOf(round))} at the end of round ${number}: estimated left of the seam, true right of it. ${rows.join(" ")}`;
     const picture = surfacePicture(round, dots, label, map);
     if (density) picture.querySelector(".w-dots")?.before(side(left, ...drawDensity(density)));
     picture.querySelector(".w-dots-estimated")?.setAttribute("clip-path", `url(#${left})`);
@@ -113,9 +113,7 @@ export class Seam {
 
   /** Makes the table of what is estimated and what is true. */
   private makeTable(round: Round): HTMLElement {
-    return el("table", {},
-      el("thead", {}, el("tr", {}, ...[`End of round ${round.number}`, "Estimated", "True", "Off by"].map((name) => el("th", { scope: "col" }, name)))),
-      el("tbody", {}, ...compareWithTruth(round).map(([quantity, ...values]) => el("tr", {}, el("th", { scope: "row" }, quantity), ...values.map((value) => el("td", {}, value))))));
+    return makeTable([`End of round ${round.number}`, "Estimated", "True", "Off by"], compareWithTruth(round).map(([quantity, ...values]) => makeRow(quantity, values)));
   }
 }
 

@@ -1,10 +1,9 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { lastIndex } from "./columns.ts";
 import { metres } from "./particles.ts";
-import { Round } from "./round.ts";
-import type { Contact } from "./round.ts";
+import { Round, type Contact } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
-import type { EndedPiece, EventRecord, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
+import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
 /** The state at a time of the common clock. */
 export interface Instant {
@@ -29,7 +28,8 @@ export interface Happening {
   start: number;
   end: number;
   /** "event": detected by the robot. "push": ground truth of the simulated world. */
-  source: "event" | "push" | "round";
+  source: "event" | "push";
+  round: number;
   kind: string;
   words: string;
   byHand: boolean;
@@ -80,13 +80,7 @@ export class Recording {
   /** Parses a whole recording from its JSON lines. */
   static parse(text: string): Recording {
     const recording = new Recording();
-    let from = 0;
-    while (from < text.length) {
-      let to = text.indexOf("\n", from);
-      if (to < 0) to = text.length;
-      recording.applyLine(text.slice(from, to));
-      from = to + 1;
-    }
+    for (const line of text.split("\n")) recording.applyLine(line);
     recording.close();
     return recording;
   }
@@ -182,8 +176,9 @@ export class Recording {
 
   /** Returns the last round with a number. */
   private round(number: number): Round {
-    for (let i = this.rounds.length - 1; i >= 0; i--) if (this.rounds[i]!.number === number) return this.rounds[i]!;
-    throw new Error(`no round ${number}`);
+    const round = this.rounds.findLast((one) => one.number === number);
+    if (!round) throw new Error(`no round ${number}`);
+    return round;
   }
 
   private layOutRounds(): void {
@@ -227,26 +222,17 @@ export class Recording {
     };
   }
 
-  /** Returns the outcome of the last round that had ended at a time. */
+  /** Returns the outcome of the last round that had ended at a time, or what was known before the first one. */
   outcomeAt(t: number): Outcome | null {
-    for (let i = this.rounds.length - 1; i >= 0; i--) {
-      const round = this.rounds[i]!;
-      if (round.end > t + 1e-6 || !(round.interpreted || round.truth || round.observed)) continue;
-      const pose = round.interpreted?.found ?? round.plan.surface.pose;
-      const { shape } = round.plan.surface;
-      return {
-        since: round.end, pose, actualPose: round.truth?.surface ?? pose, shape, actualShape: trueShape(round.truth, shape),
-        estimated: toMetres(round.interpreted?.particles),
-        actual: toMetres(round.truth?.particles),
-        seen: toMetres(round.observed?.detections),
-      };
-    }
-    const [first] = this.rounds;
-    if (!first || !(this.truthBefore || this.observedBefore)) return null;
-    const { pose, shape } = first.plan.surface;
+    const done = this.rounds.findLast((round) => round.end <= t + 1e-6 && (round.interpreted || round.truth || round.observed));
+    const [round] = done ? [done] : this.rounds;
+    if (!round || !(done || this.truthBefore || this.observedBefore)) return null;
+    const { truth, observed } = done ?? { truth: this.truthBefore, observed: this.observedBefore };
+    const { shape } = round.plan.surface;
+    const pose = done?.interpreted?.found ?? round.plan.surface.pose;
     return {
-      since: 0, pose, actualPose: this.truthBefore?.surface ?? pose, shape, actualShape: trueShape(this.truthBefore, shape), estimated: null,
-      actual: toMetres(this.truthBefore?.particles), seen: toMetres(this.observedBefore?.detections),
+      since: done?.end ?? 0, pose, actualPose: truth?.surface ?? pose, shape, actualShape: trueShape(truth, shape),
+      estimated: toMetres(done?.interpreted?.particles), actual: toMetres(truth?.particles), seen: toMetres(observed?.detections),
     };
   }
 
@@ -272,10 +258,10 @@ export class Recording {
   get happenings(): Happening[] {
     if (this.cachedHappenings?.version === this.version) return this.cachedHappenings.list;
     const list: Happening[] = [];
-    for (const { start, events, truth } of this.rounds) {
-      for (const event of events) list.push(happeningOf(event, start));
+    for (const { number: round, start, events, truth } of this.rounds) {
+      for (const { by_hand, ...event } of events) list.push({ ...event, start: start + event.start, end: start + event.end, source: "event", round, byHand: by_hand });
       for (const [from, to] of truth?.pushes ?? []) {
-        list.push({ start: start + from, end: start + to, source: "push", kind: "true push", words: "A push in the simulated world.", byHand: true });
+        list.push({ start: start + from, end: start + to, source: "push", round, kind: "true push", words: "A push in the simulated world.", byHand: true });
       }
     }
     list.sort((a, b) => a.start - b.start);
@@ -296,6 +282,3 @@ export class Recording {
 }
 
 const toMetres = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);
-
-const happeningOf = ({ kind, start, end, words, by_hand }: EventRecord, offset: number): Happening =>
-  ({ start: offset + start, end: offset + end, source: "event", kind, words, byHand: by_hand });

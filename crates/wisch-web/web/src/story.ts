@@ -1,11 +1,11 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
-import { isComparable } from "./belief.ts";
-import { clockText, el, percent, say, svg } from "./dom.ts";
+import { isComparable, isTruthOutside } from "./belief.ts";
+import { clockText, el, estimateText, percent, say, saysPush, svg } from "./dom.ts";
+import { onNews } from "./frames.ts";
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
-import { surfacePicture } from "./picture.ts";
-import type { Dots } from "./picture.ts";
+import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
 import type { Round } from "./round.ts";
@@ -24,6 +24,9 @@ const makeLegend = (names: string[]) =>
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
 
+/** Tolerance for equal times [s]. */
+const SAME_S = 1e-3;
+
 const describePrediction = (predicted: number | null): string => (predicted === null ? "" : ` Predicted performance: ${percent(predicted)}.`);
 
 /** Returns a command with a button that copies it. */
@@ -34,6 +37,20 @@ function makeCommand(command: string): HTMLElement {
     copied.then(() => say(copy, "Copied"), () => say(copy, "Not copied"));
   } }, "Copy");
   return el("div", { class: "w-command" }, el("code", {}, command), copy);
+}
+
+/** Returns what did not go as planned in a round: what its recording states, in which stated pushes say so, and a truth that the estimate misses. */
+export function findIncidents(round: Round): IncidentRecord[] {
+  const stated = (round.interpreted?.incidents ?? []).map((incident) => {
+    const isPush = round.events.some(({ by_hand, start }) => by_hand && incident.time !== null && Math.abs(start - incident.time) < SAME_S);
+    return isPush && !saysPush(incident.title) ? { ...incident, evidence: `Somebody or something pushed the robot. ${incident.evidence}` } : incident;
+  });
+  if (!isTruthOutside(round)) return stated;
+  return [...stated, {
+    time: null, title: "The ground truth lies outside the interval of the estimate",
+    evidence: `Estimated ${estimateText(round.interpreted!.estimate)}, true ${percent(round.truth!.performance!, 1)}.`,
+    effect: "A right 90\u202f% interval misses the truth in one of ten rounds. Only a simulated world knows this.", advice: "",
+  }];
 }
 
 export class Story {
@@ -47,27 +64,15 @@ export class Story {
   private readonly comparison = el("div", { class: "w-comparison" });
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
   private readonly keys = new Map<HTMLElement, string>();
-  private readonly stop: () => void;
-  private asked = 0;
+  readonly destroy: () => void;
 
   /** `seek` shows a time of the common clock. */
   constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
       el("div", { class: "w-top" }, this.title, this.badge, corner),
       el("div", { class: "w-told" }, this.pictures, this.texts, this.incidents));
-    this.stop = recording.onChange((piece) => {
-      if (!piece || piece.piece !== "samples") this.ask();
-    });
+    this.destroy = onNews(recording, () => this.show());
     this.show();
-  }
-
-  destroy(): void {
-    this.stop();
-    cancelAnimationFrame(this.asked);
-  }
-
-  private ask(): void {
-    if (!this.asked) this.asked = requestAnimationFrame(() => { this.asked = 0; this.show(); });
   }
 
   private show(): void {
@@ -96,11 +101,11 @@ export class Story {
 
   /** Shows what did not go as planned, in order of time. */
   private showIncidents(): void {
-    const all = this.recording.rounds.flatMap((round) => (round.interpreted?.incidents ?? []).map((incident) => ({ round, incident })));
+    const all = this.recording.rounds.flatMap((round) => findIncidents(round).map((incident) => ({ round, incident })));
     const isKnown = this.recording.rounds.some((round) => round.interpreted?.incidents);
     const shown = all.slice(0, MOST_INCIDENTS);
     const more = all.length - shown.length;
-    this.incidents.hidden = !isKnown;
+    this.incidents.hidden = !isKnown && !all.length;
     const content = [more, shown.map(({ round: { number, start }, incident }) => [number, start, incident])];
     this.rebuild(this.incidents, content, () => [el("h2", {}, "What did not go as planned"), ...(all.length
       ? [el("ul", {}, ...shown.map(({ round, incident }) => this.makeCard(round, incident))), ...(more ? [el("p", { class: "w-quiet" }, `and ${more} more`)] : [])]
@@ -148,16 +153,15 @@ export class Story {
   private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
     const { observedBefore } = this.recording;
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
-    const before: Dots[] = [{ mark: "believed", places: first.particles.places(0) }];
+    const before: Dots[] = [{ mark: "believed", places: first.particles.first }];
     if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
     const bent = first.plan.surface.shape;
     const figure = (title: string, round: Round, layers: Dots[]) =>
-      el("figure", {}, surfacePicture(round, layers, `${title}: the ${bent ? "unrolled surface" : "surface from above"} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`),
-        el("figcaption", {}, bent ? `${title}, surface unrolled` : title));
+      makeFigure(surfacePicture(round, layers, `${title}: ${viewOf(round)} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`), bent ? `${title}, surface unrolled` : title);
     const names = (...layers: Dots[]) => [...new Set(layers.map(({ mark }) => mark as string)), ...goal];
     if (!last) {
       if (first.plan.kind !== "planned") return [figure("Believed before", first, before), makeLegend(names(...before))];
-      const predicted = [{ mark: "believed" as const, places: first.particles.places(Math.max(0, first.particles.times.length - 1)) }];
+      const predicted = [{ mark: "believed" as const, places: first.particles.last }];
       return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...before, ...predicted))];
     }
     if (seam) {
@@ -189,7 +193,7 @@ export class Story {
       const x = (share: number) => `${(1.5 + 97 * Math.min(1, Math.max(0, share))).toFixed(2)}%`;
       const width = (from: number, to: number) => `${Math.max(0.6, 97 * (Math.min(1, to) - Math.max(0, from))).toFixed(2)}%`;
       const upright = (share: number, y1: number, y2: number, look: Record<string, string | number>) => svg("line", { x1: x(share), x2: x(share), y1, y2, ...look });
-      const label = `Round ${number}: estimated ${percent(estimate.mean)}, 90 % interval ${percent(estimate.low)} to ${percent(estimate.high)}${truly === null ? "" : `, true ${percent(truly)}`}`;
+      const label = `Round ${number}: estimated ${percent(estimate.mean)}, 90 % interval ${percent(estimate.low)} to ${percent(estimate.high)}; from touch only ${estimateText(by_touch)}${truly === null ? "" : `; true ${percent(truly)}`}${target === null ? "" : `; target ${percent(target)}`}`;
       return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
         svg("svg", { role: "img", "aria-label": label },
           svg("rect", { x: x(0), y: 8, width: "97%", height: 10, rx: 5, fill: "var(--lane)" }),

@@ -1,10 +1,9 @@
 // What each stroke of a plan is predicted to gain and to cost, and the board with and without it.
 import { el, fixed, percent, svg } from "./dom.ts";
 import { makeMapFigure, makeScale } from "./maps.ts";
-import { metres } from "./particles.ts";
-import { surfacePicture } from "./picture.ts";
-import { DEGREES, binOf, binsOf, resultValues } from "./treated.ts";
-import type { Degree } from "./treated.ts";
+import { countWithin, metres } from "./particles.ts";
+import { makeFigure, pathOf, surfacePicture, viewOf } from "./picture.ts";
+import { binOf, binsOf, DEGREES, resultValues, type Degree } from "./treated.ts";
 import type { LeftOut } from "./recording.ts";
 import type { Round } from "./round.ts";
 
@@ -61,16 +60,9 @@ const compare = (more: number, count: number, noun: string, rest: string): strin
 /** Compares the particles that are left where they do not belong, and what is lost. */
 function compareDirt({ plan, particles }: Round, without: LeftOut): string {
   const { goal, considered } = plan;
-  const left = (places: Float32Array): number => {
-    let count = 0;
-    for (let i = 0; i + 1 < places.length; i += 2) {
-      const inGoal = goal?.kind === "collected" && Math.hypot(places[i]! - goal.place[0], places[i + 1]! - goal.place[1]) <= goal.radius;
-      if (!inGoal) count++;
-    }
-    return count;
-  };
-  const count = particles.places(0).length / 2;
-  const more = left(metres(without.particles)) - left(particles.at(Infinity));
+  const left = (places: Float32Array): number => places.length / 2 - (goal?.kind === "collected" ? countWithin(places, goal) : 0);
+  const count = particles.first.length / 2;
+  const more = left(metres(without.particles)) - left(particles.last);
   const stay = goal?.kind === "collected" ? "stay outside the goal area" : "stay on the surface";
   const whole = plan.lost ?? considered?.find(({ chosen }) => chosen)?.lost ?? null;
   const change = without.lost - (whole ?? NaN);
@@ -103,7 +95,6 @@ export function describeStroke(round: Round, { stroke, way, time }: StrokeGain):
 function drawStrokes(picture: SVGSVGElement, round: Round, stroke: number, isWiped: boolean): void {
   const { width, height } = picture.viewBox.baseVal;
   const unit = Math.max(width, height) / 100;
-  const pathOf = (line: Float32Array) => Array.from({ length: line.length / 2 }, (_, i) => `${i ? "L" : "M"}${(1000 * line[2 * i]!).toFixed(1)} ${(-1000 * line[2 * i + 1]!).toFixed(1)}`).join("");
   const lines = round.plan.strokes.map((line) => metres(line));
   const others = lines.filter((_, i) => i !== stroke).map(pathOf).join("");
   const chosen = isWiped ? lines[stroke] : null;
@@ -124,9 +115,9 @@ export function makeStrokeFigures(round: Round, stroke: number): Element[] {
   const { treatment: record } = round.plan;
   const figure = (title: string, isWiped: boolean): HTMLElement | null => {
     const values = isWiped ? round.treated?.last ?? null : resultValues(record, without.treated);
-    const places = isWiped ? round.particles.at(Infinity) : metres(without.particles);
-    const label = `${title}, at the end: the ${round.plan.surface.shape ? "unrolled surface" : "surface from above"} with ${places.length / 2} particles`;
-    const made = record ? makeMapFigure(title, round, values) : el("figure", {}, surfacePicture(round, [{ mark: "believed", places }], label), el("figcaption", {}, title));
+    const places = isWiped ? round.particles.last : metres(without.particles);
+    const label = `${title}, at the end: ${viewOf(round)} with ${places.length / 2} particles`;
+    const made = record ? makeMapFigure(title, round, values) : makeFigure(surfacePicture(round, [{ mark: "believed", places }], label), title);
     const picture = made?.querySelector<SVGSVGElement>("svg.w-picture");
     if (picture) drawStrokes(picture, round, stroke, isWiped);
     return made;

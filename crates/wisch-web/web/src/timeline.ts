@@ -1,19 +1,16 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
-import { clockText, el, fixed, percent, say } from "./dom.ts";
+import { clockText, el, estimateText, fixed, percent, say, uniqueId } from "./dom.ts";
 import { frames } from "./frames.ts";
 import { isSoftwareRendered } from "./software.ts";
-import { estimateText } from "./words.ts";
+import { endText, heightText } from "./words.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
-import { Frame, PLOTS, drawFitted, font } from "./timeline/frame.ts";
-import type { LaneName, Pen } from "./timeline/frame.ts";
+import { drawFitted, Frame, PLOTS, setText, type LaneName, type Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
-import { drawHighlights, drawSelection } from "./timeline/highlights.ts";
-import type { Interval } from "./timeline/highlights.ts";
+import { drawHighlights, drawSelection, type Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
 import { listenPointer } from "./timeline/input.ts";
 import type { Clock } from "./clock.ts";
-import { HIGH_M } from "./round.ts";
-import type { Round } from "./round.ts";
+import { HIGH_M, type Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 
 const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
@@ -37,6 +34,7 @@ export class Timeline {
   private readonly veil = el("i", { class: "w-veil", "aria-hidden": "true", hidden: true });
   private readonly whole = el("button", { class: "w-button w-whole", type: "button", hidden: true, title: "Show the whole run  (double-click)", click: () => this.reset() }, "Whole run");
   private readonly tip = el("div", { class: "w-tip", hidden: true });
+  private readonly description = el("p", { class: "w-hidden", id: uniqueId() });
   private readonly frame: Frame;
   private readonly stop: (() => void)[] = [];
   private highlights: Interval[] = [];
@@ -53,8 +51,8 @@ export class Timeline {
     this.frame = new Frame(compact ? COMPACT : LANES);
     this.element = el("div", {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
-      "aria-valuemin": 0, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
-    }, this.base, this.veil, this.hair, this.cursor, this.whole, this.tip);
+      "aria-valuemin": 0, "aria-describedby": this.description.id, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
+    }, this.base, this.veil, this.hair, this.cursor, this.whole, this.tip, this.description);
     listenPointer(this.element, {
       seek: (x) => {
         if (clock.playing) clock.pause();
@@ -92,11 +90,21 @@ export class Timeline {
     return this.frame.t(Math.min(Math.max(x, this.frame.left), this.frame.width - this.frame.right));
   }
 
-  private select(interval: [number, number] | null): void {
-    if (!interval && !this.selection) return;
+  /** Selects an interval of the common clock; null ends the selection. Returns whether that changes anything. */
+  select(interval: [number, number] | null): boolean {
+    if (!interval && !this.selection) return false;
     this.selection = interval;
     this.selected(interval);
     this.redraw();
+    return true;
+  }
+
+  /** Moves the start or the end of the selection to the shown time; its other end is at first that of the run. */
+  selectTo(isEnd: boolean): void {
+    const { time, duration } = this.clock;
+    const [from, to] = this.selection ?? [0, duration];
+    const ends: [number, number] = isEnd ? [from < time ? from : 0, time] : [time, to > time ? to : duration];
+    if (ends[0] < ends[1]) this.select(ends);
   }
 
   redraw(): void {
@@ -164,6 +172,7 @@ export class Timeline {
     else if (clock.playing || clock.following) this.scrollToCursor();
     if (this.isDue()) {
       this.drawBase();
+      say(this.description, recording.rounds.map((round) => describeRound(recording, round)).join(" "));
       this.drawn = { version: recording.version, duration, at: performance.now() };
       this.stale = false;
     }
@@ -174,7 +183,7 @@ export class Timeline {
     element.setAttribute("aria-valuenow", clock.time.toFixed(2));
     const instant = recording.at(clock.time);
     const phase = instant?.round.plan.phases[instant.phase]?.name;
-    element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}`);
+    element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}${this.selection ? `, ${describeSelection(recording, this.selection)}` : ""}`);
   }
 
   /** Whether the drawing is outdated. During a live run, redraws are throttled. */
@@ -215,17 +224,15 @@ export class Timeline {
         case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }); break;
         case "performance": drawPerformance(pen, frame, lane, recording); break;
       }
-      font(pen);
+      setText(pen);
       pen.fillStyle = colour("quiet");
-      pen.textAlign = "left";
-      pen.textBaseline = "middle";
       const plot = PLOTS.has(lane.name);
       if (!frame.narrow) lane.label.split("\n").forEach((line, i) => drawFitted(pen, line, 2, lane.top + (plot ? 8 + 13 * i : lane.height / 2), frame.left - (plot ? 26 : 6)));
       else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
     }
     drawHighlights(pen, frame, this.highlights);
     const force = frame.lane("force");
-    if (force && this.selection) drawSelection(pen, frame, force, this.selection);
+    if (force && this.selection) drawSelection(pen, frame, force, this.selection, describeSelection(this.recording, this.selection));
     this.drawVeil();
   }
 
@@ -276,7 +283,7 @@ export class Timeline {
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
       round.plan.phases[phase]?.name ?? "",
       normal === null ? "" : `force ${fixed(normal, 1)} N${contact === "none" || round.target === null ? "" : `, target ${fixed(round.target, 1)} N`}`,
-      height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
+      height === null ? "" : `tool height ${heightText(instant)}`,
       contact === "none" ? "" : contact === "pushed" ? `pushed by somebody or something${height !== null && height > HIGH_M ? ", not on the surface" : ""}` : "contact with the surface",
       performance === null ? "" : `performance ${percent(performance)} predicted`,
       ...(ended ? describeResult(ended) : []),
@@ -285,6 +292,18 @@ export class Timeline {
       ...events.map(({ kind, words }) => `${kind}: ${words}`),
     ].filter((text) => text !== "");
   }
+}
+
+/** Says what the timeline shows of a round. */
+export function describeRound(recording: Recording, round: Round): string {
+  const { number, start, end, plan, contacts: { contact, pushed }, normal, interpreted, events } = round;
+  const sum = (list: readonly (readonly [number, number])[]) => list.reduce((all, [from, to]) => all + to - from, 0);
+  return `${[
+    `Round ${number}, ${clockText(start)} to ${clockText(end)}: ${plan.strokes.length} strokes`, `in contact for ${clockText(sum(contact))}`,
+    pushed.length ? `pushed for ${clockText(sum(pushed))}` : "", events.length ? `${events.length} detected ${events.length === 1 ? "event" : "events"}` : "",
+    normal.largest > 0 ? `force at most ${fixed(normal.largest, 1)} N` : "", plan.predicted === null ? "" : `predicted ${percent(plan.predicted)}`,
+    interpreted ? `estimated ${estimateText(interpreted.estimate)}` : "", endText(recording, round),
+  ].filter((part) => part).join(", ")}.`;
 }
 
 /** Explains what is drawn at a round's end. */

@@ -1,6 +1,5 @@
 // The buttons of the clock, between scene and timeline.
-import { SPEEDS } from "./clock.ts";
-import type { Clock } from "./clock.ts";
+import { SPEEDS, type Clock } from "./clock.ts";
 import { clockText, el, say } from "./dom.ts";
 import { icon } from "./icons.ts";
 import { KEYS, nextStop } from "./keys.ts";

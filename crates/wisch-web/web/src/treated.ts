@@ -1,7 +1,6 @@
 // Passes or coat thickness of each place of a treated surface: over time as predicted, and after a round as estimated and true.
 import { number } from "./columns.ts";
-import { trueShape } from "./store.ts";
-import type { Bend, Recording } from "./store.ts";
+import { trueShape, type Bend, type Recording } from "./store.ts";
 import type { Round } from "./round.ts";
 import type { Pose, TreatmentRecord } from "./recording.ts";
 

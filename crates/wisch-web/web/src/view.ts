@@ -1,25 +1,16 @@
 // A view of a recording: scene, details, clock and timeline.
 import { Clock } from "./clock.ts";
-import { clockText, el } from "./dom.ts";
+import { el } from "./dom.ts";
 import { makeFilm } from "./film.ts";
 import { frames, throttle } from "./frames.ts";
 import { listenKeys } from "./keys.ts";
-import { colour, onTheme } from "./theme.ts";
-import { askedColour } from "./scene/asked.ts";
-import type { Camera } from "./scene/camera.ts";
-import type { ShownParticles } from "./scene/asked.ts";
 import { ScenePanel } from "./scene/panel.ts";
-import { hexOr, safeColour } from "./scene/path.ts";
-import type { ShownFrame, Trajectory } from "./scene/path.ts";
-import type { Ghost } from "./scene/stage.ts";
+import { NOTHING_SHOWN, type Shown, type Stage } from "./scene/stage.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { Timeline } from "./timeline.ts";
-import type { Interval } from "./timeline/highlights.ts";
 import { makeTransport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
-
-export type { Ghost, Interval, ShownFrame, ShownParticles, Trajectory };
 
 /** Interval between updates of the texts without a graphics card, where they are slow [ms]. */
 const TEXT_MS = 150;
@@ -35,40 +26,33 @@ export interface View {
   readonly element: HTMLElement;
   readonly clock: Clock;
   seek(time: number): void;
-  /** Highlights intervals of the common clock in the timeline and along the tool's path. */
-  highlight(intervals: Interval[]): void;
-  showTrajectories(list: Trajectory[]): void;
-  /** Shows the robot at these times as translucent ghosts. */
-  showRobotAt(list: Ghost[]): void;
-  /** Shows the axes of frames. */
-  showFrames(list: ShownFrame[]): void;
-  /** Shows particles in addition to those of the recording. */
-  showParticles(list: ShownParticles[]): void;
-  /** Removes the data of the five methods above. */
-  clearShown(): void;
-  /** Number of drawn frames of the scene. */
-  readonly frames: number;
-  /** Number of drawn ghosts. */
-  readonly ghosts: number;
-  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses; null without a scene. */
-  readonly reasons: { stroke: number | null; rejected: number; bases: number } | null;
-  /** Number of drawn and of lit segments of the force along the path. */
-  readonly ribbon: { drawn: number; lit: number };
-  /** The camera of the scene; null without one. */
-  readonly camera: Camera | null;
+  /** Shows data of a query instead of those before; without an argument, none. */
+  show(data?: Partial<Shown>): void;
+  /** The scene; null where the browser cannot draw it. */
+  readonly stage: Stage | null;
   destroy(): void;
 }
 
-/** Listens to the keys of the clock and of the camera. Returns a function that ends this. */
-function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel): () => void {
+/** Listens to the keys of the clock, of the camera and of the selection. Returns a function that ends this. */
+function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel, timeline: Timeline): () => void {
   return listenKeys(element, clock, recording, (key) => {
     if (key === "f") panel.look("all");
     else if (key === "v") panel.look("above");
     else if (key === "t") panel.toggleFollow();
     else if (key === "l" && clock.live) clock.follow();
-    else return false;
+    else if (key === "i" || key === "o") timeline.selectTo(key === "o");
+    else if (key !== "escape" || !timeline.select(null)) return false;
     return true;
   });
+}
+
+/** Closes the open menu beside the clock at the Escape key. */
+function closeMenu(event: KeyboardEvent): void {
+  const menu = event.key === "Escape" && (event.currentTarget as HTMLElement).querySelector<HTMLDetailsElement>("details[name=w-menu][open]");
+  if (!menu) return;
+  menu.open = false;
+  menu.querySelector("summary")!.focus();
+  event.preventDefault();
 }
 
 export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
@@ -84,6 +68,7 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   const bar = makeTransport(clock, recording, film?.element ?? null);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
+  element.addEventListener("keydown", closeMenu);
   root.append(element);
 
   const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {
@@ -103,58 +88,20 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
-    onTheme(() => name()),
-    listenLooks(element, clock, recording, panel),
+    listenLooks(element, clock, recording, panel, timeline),
   ];
   if (recording.live) clock.follow();
   show();
 
-  const named = { trajectories: [] as Trajectory[], ghosts: [] as Ghost[], frames: [] as ShownFrame[], particles: [] as ShownParticles[] };
-  const name = () => panel.name([
-    ...named.trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
-    ...named.ghosts.map(({ time, color }) => ({ name: `${recording.head?.robot ? "robot" : "tool"} at ${clockText(time)}`, colour: hexOr(color, colour("ghost")) })),
-    ...named.frames.map(({ name, color }) => ({ name, colour: hexOr(color, colour("axis-z")) })),
-    ...named.particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
-  ]);
-  const showTrajectories = (list: Trajectory[]) => {
-    named.trajectories = list;
-    panel.stage?.showTrajectories(list);
-    name();
-  };
-  const showRobotAt = (list: Ghost[]) => {
-    named.ghosts = list;
-    panel.stage?.showGhosts(list);
-    name();
-  };
-  const showFrames = (list: ShownFrame[]) => {
-    named.frames = list;
-    panel.stage?.showFrames(list);
-    name();
-  };
-  const showParticles = (list: ShownParticles[]) => {
-    named.particles = list;
-    panel.stage?.showParticles(list);
-    name();
-  };
-  const highlight = (intervals: Interval[]) => {
-    timeline.highlight(intervals);
-    panel.stage?.highlight(intervals);
+  const showData = (data: Partial<Shown> = {}) => {
+    const shown = { ...NOTHING_SHOWN, ...data };
+    timeline.highlight(shown.intervals);
+    panel.showData(shown);
   };
   return {
-    element, clock, showTrajectories, showRobotAt, showFrames, showParticles, highlight,
+    element, clock, show: showData,
     seek: (time) => clock.seek(time),
-    clearShown: () => {
-      showTrajectories([]);
-      showRobotAt([]);
-      showFrames([]);
-      showParticles([]);
-      highlight([]);
-    },
-    get frames() { return panel.stage?.drawn ?? 0; },
-    get ghosts() { return panel.stage?.ghostCount ?? 0; },
-    get reasons() { return panel.stage?.reasons ?? null; },
-    get ribbon() { return panel.stage?.ribbon ?? { drawn: 0, lit: 0 }; },
-    camera: panel.stage?.camera ?? null,
+    stage: panel.stage,
     destroy: () => {
       frames.drop(show);
       texts.stop();

@@ -1,7 +1,6 @@
 // Why this plan: its reasons, the candidate plans, and what each stroke is predicted to gain.
-import { el, fixed, formatKnown, makeList, makeTable, percent } from "./dom.ts";
-import { LEAST_SHARE, describeStroke, findGains, makeStrokeFigures, predictWhole } from "./strokes.ts";
-import type { StrokeGain } from "./strokes.ts";
+import { el, estimateText, fixed, formatKnown, makeList, makeRow, makeTable, percent } from "./dom.ts";
+import { describeStroke, findGains, LEAST_SHARE, makeStrokeFigures, predictWhole, type StrokeGain } from "./strokes.ts";
 import type { Considered, Places, RoundPiece } from "./recording.ts";
 import type { Round } from "./round.ts";
 
@@ -39,6 +38,32 @@ function describeNeed(gains: readonly StrokeGain[], whole: number): string[] {
   ];
 }
 
+/** Difference of a prediction's begin from the estimate before it that is explained [1]. */
+const FAR = 0.05;
+
+/** Says why the prediction of a round begins away from the estimate after the round before. */
+export function describeBegin(round: Round, before: Round | null): string[] {
+  const begin = round.growthAt(0);
+  const estimate = before?.interpreted?.estimate;
+  if (!before || !estimate || begin === null || Math.abs(begin - estimate.mean) < FAR) return [];
+  const pushes = before.events.filter(({ by_hand }) => by_hand).length;
+  return [
+    `The prediction begins at ${percent(begin, 1)}, ${begin < estimate.mean ? "below" : "above"} the estimate of ${estimateText(estimate)} after round ${before.number}. It starts from one random draw from the new belief; the estimate is the mean of all draws.${
+      pushes ? ` ${pushes === 1 ? "A push" : `${pushes} pushes`} in round ${before.number} left open what was wiped there.` : ""}`,
+  ];
+}
+
+/** Says which strokes take dirt out of the goal area, if later ones are predicted to bring it back. */
+export function describeDetours({ plan: { goal } }: Round, gains: readonly StrokeGain[], whole: number): string[] {
+  const away = gains.filter(({ gain }) => gain <= -LEAST_SHARE);
+  const rise = gains.reduce((sum, { gain }) => sum + gain, 0);
+  if (goal?.kind !== "collected" || !away.length || rise < 0) return [];
+  const most = Math.max(...away.map(({ gain }) => -gain));
+  return [
+    `${away.length > 1 ? "Strokes" : "Stroke"} ${listNumbers(away.map(({ stroke }) => stroke + 1))} ${away.length > 1 ? "are" : "is"} predicted to take dirt out of the goal area, ${fixed(100 * most, 1)} points at most. The tool pushes all dirt in its way; later strokes bring it back, and the plan reaches ${percent(whole, 1)}.`,
+  ];
+}
+
 /** Says how the tool is turned, once for all strokes with the same reason. */
 function describeHeadings(headings: readonly string[]): string[] {
   const groups = new Map<string, number[]>();
@@ -60,15 +85,16 @@ export class Why {
 
   constructor(private readonly seek: (time: number) => void, private readonly choose: (choice: Choice | null) => void) {}
 
-  /** Explains the plan of a round; `otherwise` stands for missing reasons. */
-  show(round: Round | null, otherwise: string): void {
+  /** Explains the plan of a round, `before` which another one ended; `otherwise` stands for missing reasons. */
+  show(round: Round | null, before: Round | null, otherwise: string): void {
     if (round && round === this.round) return;
     if (this.stroke !== null || this.rejected) this.choose(null);
     [this.round, this.stroke, this.rejected, this.kept] = [round, null, null, null];
     const gains = round ? findGains(round) : [];
     const { without, predicted, another = without?.length ? null : undefined, ...plan }: Partial<RoundPiece> = round?.plan ?? {};
     const [why, considered, headings] = [plan.why ?? [], plan.considered ?? [], plan.headings ?? []];
-    const list = makeList(describeNeed(gains, round ? predictWhole(round) : NaN));
+    const whole = round ? predictWhole(round) : NaN;
+    const list = makeList(round ? [...describeBegin(round, before), ...describeNeed(gains, whole), ...describeDetours(round, gains, whole)] : []);
     if (round && another) list.append(el("li", {}, ...this.describeAnother(round, another)));
     list.append(...makeList([...(another === null && (predicted ?? 0) < 1 - LEAST_SHARE ? ["A repetition of a stroke at the end is predicted to gain nothing."] : []), ...describeHeadings(headings), ...why]).children);
     this.element.replaceChildren(list.childElementCount ? list : el("p", { class: "w-quiet" }, otherwise),
@@ -142,8 +168,7 @@ export class Why {
         }
         this.publish();
       } }, String(stroke + 1));
-      const own = el("tr", {}, el("th", { scope: "row" }, button),
-        ...[signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`].map((text) => el("td", {}, text)));
+      const own = makeRow(button, [signed(gain), ...(isKnown ? [formatKnown(marginal, signed)] : []), `${fixed(way, 2)} m`, `${fixed(time, 1)} s`]);
       return own;
     });
     return makeChoice("Strokes", makeTable(names, rows, `Predicted gain of each stroke in performance, in points. In turn: rise while it is wiped; a stroke without a rise may prepare a later one.${isKnown ? " Marginal: the whole plan minus the plan without it." : ""} Contact: its way in contact. Time: with the way to it.`));

@@ -1,17 +1,14 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { DASH, capitalise, clockText, el, fixed, formatKnown, makeList, percent, phaseText, say } from "./dom.ts";
+import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say, saysPush } from "./dom.ts";
+import { isOver } from "./scene/bend.ts";
 import type { Clock } from "./clock.ts";
-import type { Estimate, Fact } from "./recording.ts";
+import type { Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Instant, Recording } from "./store.ts";
-import { Why } from "./why.ts";
-import type { Choice } from "./why.ts";
+import { Why, type Choice } from "./why.ts";
 
 const makeSection = (title: string, open: boolean, ...children: (Node | string)[]) =>
   el("details", { class: "w-section", open }, el("summary", {}, el("h2", {}, title)), ...children);
-
-/** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
-export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
 
 /** Verdicts that are neither success nor failure; recordings of version 0.2.0 have the last two. */
 const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", "unknowable by touch"];
@@ -52,6 +49,12 @@ export function headlineOf(recording: Recording, { round, time, phase: index }: 
 
 const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
+/** Returns the height of the tool over the surface as believed, or that it is beside the surface. */
+export function heightText({ height, tool, contact, round: { plan } }: Instant): string {
+  if (height === null) return DASH;
+  return tool && contact !== "contact" && !isOver(plan.surface, tool) ? "beside the surface" : `${fixed(1000 * height, 1)} mm`;
+}
+
 /** What replaces plan and result of an episode that was kept without a recording. */
 export const LOGGED = "The episode was kept without a recording: the page shows its telemetry and its events.";
 
@@ -83,7 +86,7 @@ export class Words {
       el("div", { class: "w-now" }, this.headline, this.below,
         el("dl", { class: "w-values" },
           el("div", {}, el("dt", {}, "Contact"), contact), el("div", {}, el("dt", {}, "Force"), force),
-          el("div", {}, el("dt", {}, "Height"), height), el("div", {}, this.performanceName, performance))),
+          el("div", {}, el("dt", { title: "Height of the tool over the surface as believed" }, "Tool height"), height), el("div", {}, this.performanceName, performance))),
       this.complaint,
       makeSection("Why this plan", true, this.why.element),
       makeSection("Result", true, this.after),
@@ -124,20 +127,22 @@ export class Words {
       for (const value of Object.values(this.live)) say(value, DASH);
       return;
     }
-    const { round, time, normal, height, performance, contact } = instant;
+    const { round, time, normal, performance, contact } = instant;
     const rounds = recording.rounds.length;
     say(this.headline, capitalise(stage && stage.stage !== "executing" ? stage.words : headlineOf(recording, instant)));
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
-    say(this.live.height, formatKnown(height, (metres) => `${fixed(1000 * metres, 1)} mm`));
+    say(this.live.height, heightText(instant));
+    this.live.height.toggleAttribute("data-words", !/\d/.test(this.live.height.textContent));
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));
   }
 
   private showRound(round: Round | null): void {
-    this.why.show(round, !round ? "No plan yet." : round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.");
+    const { rounds } = this.recording;
+    this.why.show(round, rounds[rounds.indexOf(round!) - 1] ?? null, !round ? "No plan yet." : round.plan.kind === "logged" ? LOGGED : "The recording states no reasons for this plan.");
     if (!round?.interpreted) {
       const text = !round ? "No round yet." : round.plan.kind === "planned" ? "This plan was not executed." : round.plan.kind === "logged" ? LOGGED : this.recording.live ? "The round is not finished." : "The round has no result because the run ended early.";
       this.after.replaceChildren(el("p", { class: "w-quiet" }, text));
@@ -161,9 +166,9 @@ export class Words {
     const { recording, clock } = this;
     const list = recording.happenings.slice(0, MOST_EVENTS);
     this.shownEvents = [];
-    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, kind, words, source }) => {
+    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, round, kind, words, source, byHand }) => {
       const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
-        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` ${words}`));
+        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` in round ${round}: ${byHand && !saysPush(kind) ? "somebody or something pushed, " : ""}${words}`));
       this.shownEvents.push({ element: button, start, end });
       return el("li", {}, button);
     }), recording.happenings.length > MOST_EVENTS && el("li", { class: "w-quiet" }, `and ${recording.happenings.length - MOST_EVENTS} more`)) : el("p", { class: "w-quiet" }, "None."));

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { MeshBasicMaterial, Vector3 } from "three";
 import { makeBody } from "../src/scene/body.ts";
-import { Robot, collisionOf } from "../src/scene/robot.ts";
+import { Robot, collisionOf, makeGhost } from "../src/scene/robot.ts";
 import { distanceTo } from "../src/scene/shell.ts";
 import { matrix } from "../src/scene/solids.ts";
 import { Tree } from "../src/scene/tree.ts";
@@ -80,6 +80,33 @@ for (const head of heads) {
     assert.equal(ghost.tool.geometry, made.tool.geometry);
   });
 }
+
+test("of a ghost only the nearest parts are drawn, after all else", () => {
+  const [head] = heads;
+  const shared = new Robot(head, head.meshes, materials);
+  const ghost = makeGhost(head, head.meshes, shared, "#ff0000", null, head.robot.variables.map(() => 0), null);
+  const passes = ghost.children.map((pass) => {
+    const meshes = [];
+    pass.traverse((one) => { if (one.isMesh) meshes.push(one); });
+    return [...new Set(meshes.map(({ material, renderOrder, geometry }) => JSON.stringify([material.colorWrite, material.depthWrite, material.transparent, renderOrder, Boolean(geometry)])))];
+  });
+  assert.deepEqual(passes, [["[false,true,true,10,true]"], ["[true,false,true,11,true]"]]);
+});
+
+test("a link that ends in one capsule is no hand, unless it holds the tool or is the other arm's end", () => {
+  for (const head of heads) {
+    const mast = structuredClone(head);
+    const { links, joints } = mast.robot;
+    for (const [parent, z] of [[0, 1], [joints.length + 1, 0.3]]) {
+      joints.push({ parent, pose: [0, 0, z, 0, 0, 0, 1], axis: [0, 0, 1], kind: "fixed", offset: 0, terms: [] });
+      links.push({ name: "antenna", arm: false, shapes: [{ kind: "capsule", radius: 0.02, length: 0.2, pose: [0, 0, 0.15, 0, 0, 0, 1] }] });
+    }
+    const [before, after] = [head, mast].map((one) => makeBody(one, one.meshes).map((parts) => Object.keys(parts).sort().join()));
+    assert.deepEqual(after.slice(0, before.length), before);
+    if (head.robot.name === "humanoid") assert.equal(before[head.robot.links.findIndex(({ name }) => name === "left_tcp")], "casing,joint,ring", "the other hand");
+    assert.equal(after.at(-1), "casing,ring", "a casing without fingers");
+  }
+});
 
 test("a robot with visual shapes looks as they do", () => {
   const [head] = structuredClone(heads);

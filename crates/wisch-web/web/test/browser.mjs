@@ -31,7 +31,7 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", bef
   await page.addInitScript(before);
   await page.addInitScript(() => {
     const look = () => {
-      if (window.wisch?.view?.frames > 0) window.firstFrame = performance.now();
+      if (window.wisch?.view?.stage?.drawn > 0) window.firstFrame = performance.now();
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
@@ -102,7 +102,7 @@ const cases = {
     });
 
     await page.keyboard.press("Space");
-    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now(), wisch.view.clock.time]);
+    const progress = () => page.evaluate(() => [wisch.view.stage.drawn, performance.now(), wisch.view.clock.time]);
     const [frames, before, begun] = await progress();
     await page.waitForTimeout(3000);
     const [more, after, reached] = await progress();
@@ -115,9 +115,9 @@ const cases = {
     await page.keyboard.press("Space");
     assert.ok((await time(page)) > 0.5);
     await page.waitForTimeout(200);
-    const still = await page.evaluate(() => wisch.view.frames);
+    const still = await page.evaluate(() => wisch.view.stage.drawn);
     await page.waitForTimeout(500);
-    assert.ok((await page.evaluate(() => wisch.view.frames)) - still <= 1, "draws while nothing changes");
+    assert.ok((await page.evaluate(() => wisch.view.stage.drawn)) - still <= 1, "draws while nothing changes");
 
     const box = await page.locator(".w-timeline").boundingBox();
     const duration = await page.evaluate(() => wisch.view.clock.duration);
@@ -186,7 +186,7 @@ const cases = {
     await page.waitForFunction(() => window.firstFrame);
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.keyboard.press("Space");
-    const progress = () => page.evaluate(() => [wisch.view.frames, performance.now()]);
+    const progress = () => page.evaluate(() => [wisch.view.stage.drawn, performance.now()]);
     await page.waitForTimeout(500);
     const [frames, before] = await progress();
     await page.waitForTimeout(3000);
@@ -238,6 +238,11 @@ const cases = {
     await picture("phone-view");
     const [scene, below, words] = await Promise.all([".w-scene", ".w-below", ".w-words"].map((part) => page.locator(part).boundingBox()));
     assert.ok(scene.y + scene.height <= below.y + 1 && below.y + below.height <= words.y + 1);
+    const crowded = await page.evaluate(() => {
+      document.querySelector(".w-reach").hidden = false;
+      return [...document.querySelectorAll(".w-reach li")].filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth).map(({ innerText }) => innerText);
+    });
+    assert.deepEqual(crowded, [], "labels of the scale overlap");
     // Spreading two fingers zooms the timeline; dragging one finger seeks.
     await page.locator(".w-timeline").scrollIntoViewIfNeeded();
     const lanes = await page.locator(".w-timeline").boundingBox();
@@ -335,6 +340,10 @@ const cases = {
     await drawn(page);
     assert.match(await page.locator(".w-tip").innerText(), /^pushed by somebody or something$/m, "on the surface");
     await picture("time");
+    assert.match(await page.locator(".w-events li").first().innerText(), /\s+\S.* in round 1: /);
+    const described = await page.evaluate(() => document.getElementById(document.querySelector(".w-timeline").getAttribute("aria-describedby")).textContent);
+    assert.match(described, /^Round 1, 0\.0 s to 1\d\.\d s: 5 strokes, in contact for .*, pushed for .*, estimated .*\. Round 2, /);
+    assert.match(await page.locator(".w-bar svg").first().getAttribute("aria-label"), /^Round 1: estimated .*; from touch only .*; true .*; target \d+\u202f%$/);
     assert.match(await page.locator(".w-words").innerText(), /Round 2, known from 25\.\d s on[^]*Whole run, 2 rounds[^]*Round 1\s+Strokes\s+5\s+Round 2\s+Strokes\s+2/);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -346,7 +355,7 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     const reasons = async () => {
       await drawn(page);
-      return page.evaluate(() => wisch.view.reasons);
+      return page.evaluate(() => wisch.view.stage.reasons);
     };
     const sentences = await page.locator(".w-section .w-sentences").first().locator("li").allInnerTexts();
     assert.match(sentences[0], /^Stroke 1 is predicted to matter most: without it, the plan reaches 57\.0\u202f% instead of 78\.0\u202f%\.$/);
@@ -404,18 +413,18 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.waitForTimeout(1200);
     assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0\u202fN\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
-    const all = await page.evaluate(() => wisch.view.ribbon);
+    const all = await page.evaluate(() => wisch.view.stage.ribbon);
     assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
     // The place of the path at 2.5 s, in contact, on the screen.
     const at = await page.evaluate(() => {
-      const { lens } = wisch.view.camera;
+      const { lens } = wisch.view.stage.camera;
       const place = lens.position.clone().set(...wisch.recording.rounds[0].toolAt(2.5).slice(0, 3)).project(lens);
       const { left, top, width, height } = document.querySelector(".w-canvas").getBoundingClientRect();
       return [left + ((place.x + 1) / 2) * width, top + ((1 - place.y) / 2) * height];
     });
     await page.mouse.move(...at);
     const label = page.locator(".w-point");
-    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\nheight \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
+    assert.match(await label.innerText(), /^[78]\.\d N, 1?\d\d\u202f% of the target of 8\.0 N\ntool height \u2212?\d\.\d mm\n2\.\d\d s \(click to go there\)$/);
     const cover = await label.boundingBox();
     assert.ok(cover.x > at[0] + 12 || cover.x + cover.width < at[0] - 12, "the label covers its place");
     assert.ok(cover.height > 40, "the label has no ground");
@@ -432,16 +441,29 @@ const cases = {
     await page.mouse.up();
     await page.waitForTimeout(1000);
     near(await time(page), 5, 0.1);
-    const some = await page.evaluate(() => wisch.view.ribbon);
+    const some = await page.evaluate(() => wisch.view.stage.ribbon);
     assert.ok(some.lit > 5 && some.lit < some.drawn && some.drawn < all.drawn, JSON.stringify(some));
     assert.match(await page.locator(".w-timeline .w-tip").innerText(), /^selected: 5\.\d\d s to 9\.\d\d s, force \u22120\.\d to 1\d\.\d N$/m);
     await picture("force-selected");
     await page.mouse.click(x(12), lanes.y + 100);
     await page.waitForTimeout(500);
-    assert.deepEqual(await page.evaluate(() => wisch.view.ribbon), all);
+    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
+    // The same by keys.
+    const press = async (t, key) => {
+      await page.evaluate((time) => wisch.view.seek(time), t);
+      await page.keyboard.press(key);
+      await page.waitForTimeout(500);
+    };
+    await press(9.6, "o");
+    await press(5, "i");
+    const keyed = await page.evaluate(() => wisch.view.stage.ribbon);
+    assert.ok(keyed.lit > 5 && keyed.lit < keyed.drawn, JSON.stringify(keyed));
+    assert.match(await page.locator(".w-timeline").getAttribute("aria-valuetext"), /, selected: 5\.00 s to 9\.60 s, force \u22120\.\d to 1\d\.\d N$/);
+    await press(12, "Escape");
+    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
     await page.getByLabel("Force along the path").uncheck();
     await page.waitForTimeout(300);
-    assert.equal((await page.evaluate(() => wisch.view.ribbon)).drawn, 0);
+    assert.equal((await page.evaluate(() => wisch.view.stage.ribbon)).drawn, 0);
     assert.equal(await page.locator(".w-force-scale").isVisible(), false);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -457,8 +479,10 @@ const cases = {
     const events = (piece) => (piece.piece === "interpreted" ? { ...piece, events: piece.events.map((event) => ({ ...event, kind: evil })) } : piece);
     const { page, complaints, picture } = await show("hostile", lines(parts.map((piece) => events(poison(piece)))));
     await page.waitForTimeout(700);
-    await page.evaluate(() => wisch.view.showTrajectories([{ name: "<img src=x onerror=window.hit=3>", color: "red;background:url(x)", points: [[0, 0, 1], [0, 0, 2]] }]));
-    await page.evaluate(() => wisch.view.highlight([{ start: 1, end: 2, label: "<img src=x onerror=window.hit=4>" }]));
+    await page.evaluate(() => wisch.view.show({
+      trajectories: [{ name: "<img src=x onerror=window.hit=3>", color: "red;background:url(x)", points: [[0, 0, 1], [0, 0, 2]] }],
+      intervals: [{ start: 1, end: 2, label: "<img src=x onerror=window.hit=4>" }],
+    }));
     await page.waitForTimeout(300);
     assert.deepEqual(await page.evaluate(() => [window.hit ?? null, document.querySelectorAll("#app img:not(.w-still), #app script, #app b > b").length]), [null, 0]);
     assert.ok((await wide(page)) <= 0);
@@ -516,10 +540,10 @@ const cases = {
     await give(1000);
     await page.waitForTimeout(700);
     assert.deepEqual(await page.evaluate(() => [window.run.live, window.a.clock.following, window.a.clock.time === window.run.duration]), [false, false, true]);
-    await page.evaluate(() => { window.a.showRobotAt([{ time: 1 }, { time: 5, color: "#00ff00" }]); window.a.seek(3); });
+    await page.evaluate(() => { window.a.show({ ghosts: [{ time: 1 }, { time: 5, color: "#00ff00" }] }); window.a.seek(3); });
     await page.waitForTimeout(300);
     await picture("compare");
-    await page.evaluate(() => { window.b.destroy(); window.a.clearShown(); window.a.destroy(); });
+    await page.evaluate(() => { window.b.destroy(); window.a.show(); window.a.destroy(); });
     assert.equal(await page.locator(".w-view").count(), 0);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -530,7 +554,7 @@ const cases = {
       const { page, complaints, picture } = await show(`camera-${reducedMotion}`, whole, { reducedMotion });
       await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
       await page.waitForFunction(() => window.firstFrame);
-      const eye = () => page.evaluate(() => wisch.view.camera.lens.position.toArray());
+      const eye = () => page.evaluate(() => wisch.view.stage.camera.lens.position.toArray());
       /** Waits until the camera rests; returns how far it is from the middle of the surface, and the number of its places on the way. */
       const rest = async () => {
         const places = [await eye()];
@@ -580,6 +604,10 @@ const cases = {
     await page.waitForFunction(() => window.firstFrame);
     await page.getByText("Film", { exact: true }).click();
     const said = page.locator(".w-film p");
+    await page.getByLabel("Part of the run").focus();
+    await page.keyboard.press("Escape");
+    assert.deepEqual(await page.evaluate(() => [document.querySelector(".w-film").open, document.activeElement.innerText]), [false, "Film"], "Escape closes the menu");
+    await page.getByText("Film", { exact: true }).click();
     await page.getByRole("button", { name: "Record at 1\u00d7" }).click();
     await page.waitForFunction(() => document.querySelector(".w-film progress").value > 0.02);
     assert.match(await said.innerText(), /^Recording \d+ s at 1\u00d7\.$/);
@@ -643,11 +671,10 @@ const cases = {
     await page.evaluate(() => {
       const { pose } = wisch.recording.rounds[0].plan.surface;
       const row = (y) => Array.from({ length: 9 }, (_, i) => [-0.08 + 0.02 * i, y]);
-      wisch.view.showParticles([
+      wisch.view.show({ particles: [
         { name: "dirt before round 1, as queried", state: "before", pose, places: row(-0.03), color: "#00ff00" },
         { name: "estimated dirt after round 1, as queried", state: "estimated", pose, places: row(0.03) },
-      ]);
-      wisch.view.highlight([1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })));
+      ], intervals: [1, 1.4, 1.8, 2.1, 9, 9.2].map((start, i) => ({ start, end: start + 0.3, label: ["HumanCollision", "UnreachedNode"][i % 2] })) });
     });
     await page.waitForTimeout(1000);
     assert.ok((await green()) > 100, "the particles are not visible");
@@ -661,7 +688,7 @@ const cases = {
     await page.getByRole("button", { name: "Dark" }).click();
     await page.waitForTimeout(1000);
     await picture("asked-dark");
-    await page.evaluate(() => wisch.view.clearShown());
+    await page.evaluate(() => wisch.view.show());
     await page.waitForTimeout(1000);
     assert.equal(await green(), 0);
     assert.equal(await page.locator(".w-named li").count(), 0);
@@ -862,10 +889,10 @@ const cases = {
       },
     };
     const { page, complaints } = await openStudio(`#compare=${first},${second}`, overview, recordings, answers);
-    await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.frames > 0));
+    await page.waitForFunction(() => window.wisch?.stage.shown.length === 2 && window.wisch.stage.shown.every(({ view }) => view.stage.drawn > 0));
     await page.evaluate(() => wisch.stage.shown[1].view.seek(3));
     assert.deepEqual(await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.clock.time)), [3, 3], "one clock");
-    const cameras = () => page.evaluate(() => wisch.stage.shown.map(({ view }) => view.camera.lens.position.toArray().map((v) => v.toFixed(6)).join()));
+    const cameras = () => page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.camera.lens.position.toArray().map((v) => v.toFixed(6)).join()));
     const before = await cameras();
     await page.locator(".w-canvas").first().press("d");
     await drawn(page);
@@ -876,10 +903,10 @@ const cases = {
     await button(0, "Surface").click();
     await button(1, "Fit").click();
     await page.waitForTimeout(6000);
-    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames)), await cameras()];
+    const [frames, resting] = [await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.drawn)), await cameras()];
     await page.waitForTimeout(700);
     assert.deepEqual(await cameras(), resting, "linked cameras come to rest");
-    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.frames));
+    const more = await page.evaluate(() => wisch.stage.shown.map(({ view }) => view.stage.drawn));
     assert.ok(more[0] - frames[0] <= 2 && more[1] - frames[1] <= 2, `frames ${frames} and ${more}`);
     await page.waitForSelector("[data-curve]");
     const curves = await page.locator("[data-curve]").evaluateAll((list) => [...new Set(list.map(({ dataset }) => dataset.curve))].sort());
@@ -896,8 +923,8 @@ const cases = {
     await page.keyboard.press("/");
     await page.fill(".s-query", "show(robot, M)");
     await page.press(".s-query", "Enter");
-    await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.frames > 1, first);
-    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.ghosts), 1, "the robot is drawn");
+    await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.stage.drawn > 1, first);
+    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.stage.ghostCount), 1, "the robot is drawn");
     assert.equal(await page.evaluate(() => wisch.stage.time), 3, "the clock is at M");
     if (pictures) await page.screenshot({ path: join(pictures, "asked.png") });
     assert.deepEqual(complaints, []);
@@ -907,7 +934,7 @@ const cases = {
   async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
     const id = "20261122-010000-abcd";
     const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", collisions: 2 })]), { [id]: whole }, null, { width: 3840, height: 2160 });
-    await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.frames > 0);
+    await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
     const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
     assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
     assert.ok(view.y + view.height <= 2161 && view.y + view.height > 2000, `the view ends at ${view.y + view.height}`);
@@ -932,9 +959,9 @@ const cases = {
     const waits = await page.evaluate(async () => {
       const list = [];
       for (let k = 0; k < 30; k++) {
-        const [from, frames] = [performance.now(), wisch.view.frames];
+        const [from, frames] = [performance.now(), wisch.view.stage.drawn];
         wisch.view.seek(((k * 977) % 3600) + 0.37);
-        while (wisch.view.frames === frames) await new Promise((done) => requestAnimationFrame(done));
+        while (wisch.view.stage.drawn === frames) await new Promise((done) => requestAnimationFrame(done));
         list.push(performance.now() - from);
       }
       return list.sort((a, b) => a - b);

@@ -40,14 +40,14 @@ const LIES_ON = {
   found: ["board", "scene"], contact: ["board", "scene", "lanes"], pushed: ["board", "scene", "lanes"], lifted: ["board", "scene"], force: ["board", "scene", "lanes"],
   collision: ["board", "scene", "lanes"], hand: ["board", "scene", "lanes"], event: ["board", "scene", "lanes"],
   "force-little": ["board", "scene"], "force-target": ["board", "scene"], "force-much": ["board", "scene"],
-  tool: ["board", "scene"], stroke: ["board", "picture"], rejected: ["board", "scene"], quiet: ["scene"], ink: ["scene"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
+  tool: ["board", "scene"], stroke: ["board", "picture"], chosen: ["board", "picture"], rejected: ["board", "scene"], quiet: ["scene"], ink: ["scene"], "goal-line": ["board", "picture"], target: ["lanes"], height: ["lanes"], "by-touch": ["lanes"], cursor: ["lanes"],
   first: ["lanes"], second: ["lanes"], node: ["picture"], ...Object.fromEntries(TRACKS.map((track) => [track, ["board", "scene", "lanes"]])),
 };
 
 /** Marks of different meaning that appear in the same place. */
 const PLACES = {
   "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line", "rejected"],
-  "along the path": ["force-little", "force-target", "force-much", "contact", "lifted", "pushed", "force", "collision", "rejected"],
+  "along the path": ["force-little", "force-target", "force-much", "contact", "lifted", "pushed", "force", "collision", "rejected", "chosen"],
   "outlines of the board": ["found", "actual", "goal-line"],
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],

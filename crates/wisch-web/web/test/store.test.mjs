@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Column, PlotColumn, lastAtMost } from "../src/columns.ts";
-import { ParticleTrack } from "../src/particles.ts";
+import { trackParticles } from "../src/particles.ts";
 import { Recording } from "../src/store.ts";
 import { lines, numbers, sample } from "./sample.mjs";
 
@@ -103,11 +103,11 @@ test("random access to particle steps equals replaying all steps", () => {
     for (let i = 0; i < added.length; i += 2) list.push([added[i], added[i + 1]]);
     return list.flat();
   });
-  const track = new ParticleTrack(particles);
+  const track = trackParticles(particles);
   const random = numbers(3);
   for (let k = 0; k < 300; k++) {
     const i = Math.floor(random() * all.length);
-    assert.deepEqual([...track.places(i)].map((v) => Math.round(v * 1e4)), all[i]);
+    assert.deepEqual([...track.at(particles[i][0])].map((v) => Math.round(v * 1e4)), all[i]);
   }
 });
 

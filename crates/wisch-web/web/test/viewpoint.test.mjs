@@ -159,7 +159,7 @@ test("crossing a round's end again and again makes its outlines once", () => {
   still.show(layers, null, null, 2);
   const isShown = (object) => object.visible && (!object.parent || isShown(object.parent));
   const widths = [];
-  still.group.traverse((object) => { if (object.material?.name === "stroke" && isShown(object)) widths.push(object.material.linewidth); });
+  still.group.traverse((object) => { if (object.material?.name === "chosen" && isShown(object)) widths.push(object.material.linewidth); });
   assert.deepEqual(widths, [7], "a chosen stroke is drawn while the others are hidden");
   still.dispose();
 });

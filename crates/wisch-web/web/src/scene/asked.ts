@@ -1,12 +1,11 @@
 // Queried particles: diamonds with a dark rim, filled for the dirt before a round, hollow for the estimate after it. The marks
 // of the recording have other shapes, so that readers distinguish both without colours.
-import { BufferGeometry, Float32BufferAttribute, Group, Points, PointsMaterial } from "three";
-import type { CanvasTexture } from "three";
+import { Group, type CanvasTexture } from "three";
 import { colour } from "../theme.ts";
-import { disposeAll, hexOr } from "./path.ts";
+import { hexOr } from "./path.ts";
 import { lift } from "./bend.ts";
-import { drawTexture } from "./dirt.ts";
-import { matrix, shiftDepth } from "./solids.ts";
+import { drawTexture, makeDots } from "./dots.ts";
+import { disposeAll, placeAt } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend } from "../store.ts";
@@ -45,30 +44,14 @@ export const askedColour = (color: string | undefined): string => hexOr(color, c
 export class Asked {
   readonly group = new Group();
   private readonly textures = { before: drawDiamond(false), estimated: drawDiamond(true) };
-  private list: ShownParticles[] = [];
 
   show(list: ShownParticles[]): void {
-    this.list = list;
     disposeAll(this.group);
     list.forEach(({ color, pose, shape, places, state }, i) => {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new Float32BufferAttribute(places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE)), 3));
-      const look = new PointsMaterial({ size: SIZE_PX, sizeAttenuation: false, map: this.textures[state], alphaTest: 0.3, transparent: true });
-      look.color.set(askedColour(color));
-      const points = new Points(geometry, shiftDepth(look, 0.98));
-      points.matrixAutoUpdate = false;
-      matrix(pose, points.matrix);
-      points.frustumCulled = false;
-      points.renderOrder = 7 + i / (list.length + 1);
-      this.group.add(points);
+      const points = places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE));
+      const dots = placeAt(makeDots(points, this.textures[state], SIZE_PX, { renderOrder: 7 + i / (list.length + 1) }), pose);
+      dots.material.color.set(askedColour(color));
+      this.group.add(dots);
     });
-  }
-
-  paint(): void {
-    this.points.forEach(({ material }, i) => material.color.set(askedColour(this.list[i]!.color)));
-  }
-
-  private get points(): Points<BufferGeometry, PointsMaterial>[] {
-    return this.group.children as Points<BufferGeometry, PointsMaterial>[];
   }
 }

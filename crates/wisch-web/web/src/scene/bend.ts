@@ -1,5 +1,6 @@
 // Lifts what lies in the chart of a surface onto a curved surface.
 import { BufferAttribute, BufferGeometry, Vector3 } from "three";
+import { metres } from "../particles.ts";
 import { matrix } from "./solids.ts";
 import { liftOntoCone, normalOfCone, pastRollOnCone, rollOnCone } from "./cone.ts";
 import { sheetOf } from "./sheet.ts";
@@ -65,6 +66,21 @@ export function normalUnder({ pose, shape }: RoundPiece["surface"], point: Vecto
     normal.set(across[0] * u, across[1] * u, w).multiplyScalar(Math.sign(shape.radius_m)).normalize();
   }
   return normal.transformDirection(worldFromSurface);
+}
+
+/** Whether a point of the world is over a surface: always for a curved one, to which points have no place here. */
+export function isOver({ pose, rings, shape }: RoundPiece["surface"], [x, y, z]: readonly number[]): boolean {
+  if (shape || !rings.length) return true;
+  const at = new Vector3(x, y, z).applyMatrix4(matrix(pose).invert());
+  // In holes, an even number of rings surrounds the point.
+  return rings.map((ring) => metres(ring)).filter((ring) => {
+    let isInside = false;
+    for (let i = 0, j = ring.length - 2; i < ring.length; j = i, i += 2) {
+      const [ax, ay, bx, by] = [ring[i]!, ring[i + 1]!, ring[j]!, ring[j + 1]!];
+      if (ay > at.y !== by > at.y && at.x < ax + ((bx - ax) * (at.y - ay)) / (by - ay)) isInside = !isInside;
+    }
+    return isInside;
+  }).length % 2 === 1;
 }
 
 /** Lifts a line of the chart, in short steps. */

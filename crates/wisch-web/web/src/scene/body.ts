@@ -1,13 +1,10 @@
 // The body of a robot that has collision shapes only: casings in its capsules, housings round its joints' axes, and what
 // holds the tool. It stays inside the collision shapes, up to what `test/body.test.mjs` allows, so that no gap looks free
 // that is not.
-import { Box3, Matrix4, Vector3 } from "three";
-import type { BufferGeometry } from "three";
+import { Box3, Matrix4, Vector3, type BufferGeometry } from "three";
 import { mergeGeometries, mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import { addGrip } from "./grip.ts";
-import type { Held } from "./grip.ts";
-import { alongAxis, distanceTo, makePatch, turn } from "./shell.ts";
-import type { Add, Finish, Profile, Rod, Shell } from "./shell.ts";
+import { addGrip, type Held } from "./grip.ts";
+import { alongAxis, distanceTo, makePatch, turn, type Add, type Finish, type Profile, type Rod, type Shell } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
 import { Tree } from "./tree.ts";
 import type { Head, JointRecord, MeshRecord, RobotRecord, Solid } from "../recording.ts";
@@ -43,6 +40,7 @@ interface Link {
 export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
   if (!robot) return [];
   const links = findLinks(robot);
+  const holder = links.find((link) => link.rods.length > 0 && findHeld(tool, meshes, robot, links, link));
   return robot.links.map(({ name, arm, shapes }, i) => {
     const parts: Record<Finish, BufferGeometry[]> = { casing: [], joint: [], ring: [], handle: [] };
     const add: Add = (finish, geometry, at) => {
@@ -56,8 +54,7 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
     const [rod] = link.rods;
     const near = seenFrom(link, link.before ? [link.before, ...link.after] : link.after);
     const held = findHeld(tool, meshes, robot, links, link);
-    // Several links at the end of another one are fingers, and no hands.
-    const isHand = shapes.length === 1 && !link.after.length && (held !== null || link.before?.after.length === 1);
+    const isHand = shapes.length === 1 && !link.after.length && (held !== null || isTwin(link, holder));
     if (rod && !arm && /head/i.test(name)) addHead(add, rod, link.worldFromLink);
     else if (rod && isHand) addGrip(add, rod, held, /left/i.test(name));
     else if (!link.trunk || !addTrunk(add, link)) for (const one of link.rods) addCasing(add, one, near);
@@ -65,6 +62,12 @@ export function makeBody({ robot, tool }: Head, meshes: MeshRecord[]): Body[] {
     if (link.before) addHousing(add, robot.joints[i - 1]!, link);
     return Object.fromEntries(Object.entries(parts).filter(([, list]) => list.length).map(([finish, list]) => [finish, mergeGeometries(list)]));
   });
+}
+
+/** Whether a link is the other arm's end: as far from the root as the one that holds the tool, and of the same size. */
+function isTwin(link: Link, holder: Link | undefined): boolean {
+  const measure = (one: Link | null | undefined): string => (one ? `${one.rods.map(({ from, to, radius }) => [from.distanceTo(to), radius].map((size) => size.toFixed(3)))} ${measure(one.before)}` : "");
+  return holder !== undefined && measure(link) === measure(holder);
 }
 
 const inverse = (pose: Matrix4) => pose.clone().invert();

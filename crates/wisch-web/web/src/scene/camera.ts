@@ -1,6 +1,5 @@
 // The camera: orbit by mouse, touch and keys, fitted views, and smooth ways between them.
-import { PerspectiveCamera, Vector3 } from "three";
-import type { Object3D } from "three";
+import { PerspectiveCamera, Vector3, type Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Angles, View } from "./viewpoint.ts";
 
@@ -135,15 +134,13 @@ export class Camera {
     const side = new Vector3().crossVectors(this.lens.up, away).normalize();
     const tilted = away.clone().applyAxisAngle(side, up);
     const polar = tilted.angleTo(this.lens.up);
-    if (polar > 0.02 && polar < this.controls.maxPolarAngle) away.copy(tilted);
-    this.lens.position.copy(this.controls.target).add(away);
-    this.controls.update();
+    const { target } = this.controls;
+    this.move({ target, eye: target.clone().add(polar > 0.02 && polar < this.controls.maxPolarAngle ? tilted : away) });
   }
 
   private zoom(by: number): void {
     this.take();
-    const away = this.lens.position.clone().sub(this.controls.target).multiplyScalar(by);
-    this.lens.position.copy(this.controls.target).add(away);
-    this.controls.update();
+    const { target, eye } = this.view;
+    this.move({ target, eye: target.clone().lerp(eye, by) });
   }
 }

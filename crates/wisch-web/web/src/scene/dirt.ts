@@ -1,10 +1,12 @@
 // Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
-import { BufferAttribute, BufferGeometry, CanvasTexture, Group, Points, PointsMaterial } from "three";
+import { BufferAttribute, Group } from "three";
 import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
+import { drawTexture, makeDots, type Dots } from "./dots.ts";
 import { GRAIN_M, Grains, formOf } from "./grains.ts";
-import { matrix, shiftDepth } from "./solids.ts";
+import { placeAt } from "./solids.ts";
+import type { Pose } from "../recording.ts";
 import type { Bend, Instant, Outcome, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
 
@@ -19,35 +21,9 @@ const DRAW: Record<Mark, (pen: CanvasRenderingContext2D) => void> = {
   seen: (pen) => { pen.lineWidth = 7; pen.rect(6, 6, 52, 52); pen.stroke(); },
 };
 
-/** Draws a white dot on a square of 64 pixels, which colours tint. */
-export function drawTexture(draw: (pen: CanvasRenderingContext2D) => void): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
-  pen.fillStyle = pen.strokeStyle = "#fff";
-  pen.beginPath();
-  draw(pen);
-  return new CanvasTexture(canvas);
-}
-
-/** Draws a dot with a dark rim. */
-export const dotTexture = (): CanvasTexture => drawTexture((pen) => {
-  pen.arc(32, 32, 24, 0, 2 * Math.PI);
-  pen.fill();
-  pen.lineWidth = 5;
-  pen.strokeStyle = "#000";
-  pen.stroke();
-});
-
-/** Makes the material of a mark. It is drawn slightly nearer, or the surface would cut its dots in half. */
-function makeMaterial(mark: Mark): PointsMaterial {
-  const material = new PointsMaterial({ size: SIZE[mark], sizeAttenuation: false, map: drawTexture(DRAW[mark]), alphaTest: 0.15, transparent: true });
-  return shiftDepth(material, 0.99);
-}
-
 export class Dirt {
   readonly group = new Group();
-  private readonly points: Record<Mark, Points<BufferGeometry, PointsMaterial>>;
+  private readonly points: Record<Mark, Dots>;
   private readonly shown = new Map<Mark, Float32Array | null>();
   /** Believed and predicted dirt as solids; null while its medium has none. */
   private grains: Grains | null = null;
@@ -55,10 +31,7 @@ export class Dirt {
 
   constructor() {
     this.points = Object.fromEntries(MARKS.map((mark) => {
-      const points = new Points(new BufferGeometry(), makeMaterial(mark));
-      points.matrixAutoUpdate = false;
-      points.frustumCulled = false;
-      points.renderOrder = 2 + MARKS.indexOf(mark);
+      const points = makeDots([], drawTexture(DRAW[mark]), SIZE[mark], { nearer: 0.99, alphaTest: 0.15, renderOrder: 2 + MARKS.indexOf(mark) });
       this.group.add(points);
       return [mark, points];
     })) as Dirt["points"];
@@ -96,12 +69,11 @@ export class Dirt {
     this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
   }
 
-  private set(mark: Mark, places: Float32Array | null, pose: Parameters<typeof matrix>[0], shape: Bend, opacity: number): void {
+  private set(mark: Mark, places: Float32Array | null, pose: Pose, shape: Bend, opacity: number): void {
     const points = this.points[mark];
     points.visible = places !== null && places.length > 0;
     if (!places || !points.visible) return;
-    matrix(pose, points.matrix);
-    points.matrixWorldNeedsUpdate = true;
+    placeAt(points, pose);
     points.material.opacity = opacity;
     if (this.shown.get(mark) === places) return;
     this.shown.set(mark, places);

@@ -3,7 +3,7 @@
 import { BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, Group, Material, Mesh, MeshBasicMaterial, MeshPhongMaterial, SphereGeometry } from "three";
 import { colour } from "../theme.ts";
 import { lift } from "./bend.ts";
-import { matrix } from "./solids.ts";
+import { placeAt } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend } from "../store.ts";
 
@@ -116,7 +116,6 @@ export class Grains {
   constructor(form: Form) {
     [this.few, this.many] = form === "crumb" ? [makeCrumb(makeDome(5, 3, 0.62, 0.85)), makeCrumb(new ConeGeometry(1, 1, 4, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5))] : [makeDome(8, 3, 0.5, 0.55), makeDome(6, 2, 0.5, 0.55)];
     this.grains = new Copies(new MeshPhongMaterial(form === "crumb" ? { flatShading: true, specular: 0x666666, shininess: 8 } : { specular: 0x999999, shininess: 60 }));
-    this.group.matrixAutoUpdate = false;
     this.group.add(this.grains.mesh, this.shadows.mesh);
     this.paint();
   }
@@ -132,8 +131,7 @@ export class Grains {
   show(places: Float32Array | null, pose: Pose, bend: Bend, pixelsPerMetre: number): void {
     this.group.visible = places !== null && places.length > 0;
     if (!places || !this.group.visible) return;
-    matrix(pose, this.group.matrix);
-    this.group.matrixWorldNeedsUpdate = true;
+    placeAt(this.group, pose);
     const count = places.length / 2;
     const natural = GRAIN_M * Math.min(1, Math.sqrt(FEW / count));
     const radius = Math.min(MOST_PX / pixelsPerMetre, Math.max(LEAST_PX / pixelsPerMetre, natural)) / 2;

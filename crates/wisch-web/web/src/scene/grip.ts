@@ -1,8 +1,7 @@
 // The end of an arm: a hand with fingers round the handle of the tool, or, where there is no room for one, a gripper's jaws.
 import { BoxGeometry, CapsuleGeometry, Matrix4, SphereGeometry, Vector3 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
-import { Z, alongAxis, turn } from "./shell.ts";
-import type { Add, Rod } from "./shell.ts";
+import { alongAxis, turn, Z, type Add, type Rod } from "./shell.ts";
 
 /** The tool as a hand sees it: the middle of its back, its normal away from the surface, its narrower side, and the sides' lengths [m]. */
 export interface Held {

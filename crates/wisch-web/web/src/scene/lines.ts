@@ -1,5 +1,5 @@
 // Lines with a width in pixels, which can grow.
-import { Color, InstancedInterleavedBuffer, InterleavedBufferAttribute, Vector3 } from "three";
+import { Vector3, type Color } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -9,12 +9,17 @@ import { Column } from "../columns.ts";
 const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
 
 export function segments(ends: ArrayLike<number>, material: LineMaterial): LineSegments2 {
-  const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
-  const line = new LineSegments2(geometry, material);
+  const line = new LineSegments2(new LineSegmentsGeometry(), material);
   line.frustumCulled = false;
-  line.visible = ends.length > 0;
+  setSegments(line, ends);
   return line;
+}
+
+/** Replaces the segments of a line. */
+export function setSegments(line: LineSegments2, ends: ArrayLike<number>): void {
+  line.geometry.dispose();
+  line.geometry = new LineSegmentsGeometry().setPositions(ends.length ? Float32Array.from(ends) : new Float32Array(6));
+  line.visible = ends.length > 0;
 }
 
 /** Converts consecutive corners into segments of a closed or open line. */
@@ -56,10 +61,7 @@ export class GrowingSegments {
   private changed = true;
 
   constructor(width: number, private palette: Color[]) {
-    const material = new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER });
-    this.line = new LineSegments2(new LineSegmentsGeometry(), material);
-    this.line.frustumCulled = false;
-    this.line.visible = false;
+    this.line = segments([], new LineMaterial({ linewidth: width, vertexColors: true, ...NEARER }));
   }
 
   get count(): number {
@@ -104,15 +106,8 @@ export class GrowingSegments {
     geometry.dispose();
     const size = 6 * Math.max(1, this.count);
     const colours = new Float32Array(size);
-    for (let i = 0; i < this.count; i++) {
-      const { r, g, b } = this.palette[this.kinds.data[i]!]!;
-      colours.set([r, g, b, r, g, b], 6 * i);
-    }
-    for (const [name, data] of [["", Float32Array.from(this.positions.data.subarray(0, size))], ["Color", colours]] as const) {
-      const buffer = new InstancedInterleavedBuffer(data, 6, 1);
-      geometry.setAttribute(`instance${name}Start`, new InterleavedBufferAttribute(buffer, 3, 0));
-      geometry.setAttribute(`instance${name}End`, new InterleavedBufferAttribute(buffer, 3, 3));
-    }
+    for (let i = 0; i < this.count; i++) for (const at of [6 * i, 6 * i + 3]) this.palette[this.kinds.data[i]!]!.toArray(colours, at);
+    geometry.setPositions(this.positions.data.slice(0, size) as Float32Array).setColors(colours);
   }
 }
 

@@ -2,10 +2,9 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import { metres } from "../particles.ts";
 import { colour } from "../theme.ts";
-import { CELL_REACH, binOf, binsOf } from "../treated.ts";
-import type { SurfaceValues } from "../treated.ts";
+import { binOf, binsOf, CELL_REACH, type SurfaceValues } from "../treated.ts";
 import { lift } from "./bend.ts";
-import { matrix, shiftDepth } from "./solids.ts";
+import { placeAt, shiftDepth } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 
 /** Directions from the middle of a cell to its corners. */
@@ -37,7 +36,6 @@ export class SurfaceMap {
   private theme = "";
 
   constructor() {
-    this.mesh.matrixAutoUpdate = false;
     this.mesh.frustumCulled = false;
   }
 
@@ -45,8 +43,7 @@ export class SurfaceMap {
   show(map: SurfaceValues | null, theme: string): void {
     this.mesh.visible = map !== null;
     if (!map) return;
-    matrix(map.pose, this.mesh.matrix);
-    this.mesh.matrixWorldNeedsUpdate = true;
+    placeAt(this.mesh, map.pose);
     const sameCells = this.shown?.record === map.record && this.shown.shape === map.shape;
     if (!sameCells) {
       this.mesh.geometry.dispose();

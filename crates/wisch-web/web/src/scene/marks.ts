@@ -1,11 +1,10 @@
 // Positions of the tool at events, and arrows where somebody or something pushed.
-import { BufferGeometry, Color, Float32BufferAttribute, Group, Points, PointsMaterial, Vector3 } from "three";
+import { BufferGeometry, Color, Float32BufferAttribute, Group, Vector3 } from "three";
 import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { eventColour } from "../timeline/lanes.ts";
-import { dotTexture } from "./dirt.ts";
+import { dotTexture, makeDots } from "./dots.ts";
 import { GrowingSegments, cutDashes } from "./lines.ts";
-import { shiftDepth } from "./solids.ts";
 import { TRUE_DASH_M } from "./surface.ts";
 import type { Round } from "../round.ts";
 import type { Recording } from "../store.ts";
@@ -46,9 +45,7 @@ export function makeArrow({ tool, force }: Round, i: number, isTrue: boolean): n
 
 export class Marks {
   readonly group = new Group();
-  private readonly points = new Points(new BufferGeometry(), shiftDepth(new PointsMaterial({
-    size: SIZE, sizeAttenuation: false, vertexColors: true, map: dotTexture(), alphaTest: 0.3, transparent: true,
-  }), 0.985));
+  private readonly points = makeDots([], dotTexture(), SIZE, { nearer: 0.985, vertexColors: true });
   private readonly arrows = new GrowingSegments(4, []);
   private key = "";
   /** Start of each mark, and of each segment of an arrow, within the round [s]. */
@@ -56,8 +53,6 @@ export class Marks {
   private pushes: number[] = [];
 
   constructor() {
-    this.points.frustumCulled = false;
-    this.points.renderOrder = 7;
     this.group.add(this.points, this.arrows.line);
   }
 

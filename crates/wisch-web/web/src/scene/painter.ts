@@ -1,6 +1,5 @@
 // The renderer: full quality on a graphics card, reduced quality in software.
-import { Color, PCFShadowMap, WebGLRenderer } from "three";
-import type { Camera, Scene } from "three";
+import { Color, PCFShadowMap, WebGLRenderer, type Camera, type Scene } from "three";
 import { isSoftwareRendered } from "../software.ts";
 import { colour } from "../theme.ts";
 

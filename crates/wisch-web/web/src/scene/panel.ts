@@ -1,32 +1,47 @@
 // The scene with its overlays: legend with toggles, and buttons for views.
-import { clockText, el, fixed, percent, say, uniqueId } from "../dom.ts";
+import { clockText, el, fixed, makeSwatches, percent, say, uniqueId } from "../dom.ts";
 import { diamond, mark } from "../icons.ts";
 import { makeReachScale } from "../bases.ts";
 import { makeScale } from "../maps.ts";
-import { onTheme, isPrinting } from "../theme.ts";
+import { colour, onTheme, isPrinting } from "../theme.ts";
 import { FORCES } from "./ribbon.ts";
 import { collisionOf, hasMadeBody } from "./robot.ts";
-import { LAYERS, Stage } from "./stage.ts";
-import type { Layers, Look } from "./stage.ts";
+import { LAYERS, NOTHING_SHOWN, Stage, type Layers, type Look, type Shown } from "./stage.ts";
+import { askedColour, type ShownParticles } from "./asked.ts";
+import { hexOr, safeColour } from "./path.ts";
 import type { Recording } from "../store.ts";
 import { isTreated, mapAt, quantityOf } from "../treated.ts";
+import { heightText } from "../words.ts";
 import type { TreatmentRecord } from "../recording.ts";
 import type { Round } from "../round.ts";
 import type { Choice } from "../why.ts";
 
-const NAMES: Record<keyof Layers, string> = {
-  believed: "Believed and predicted dirt", estimated: "Estimated dirt after the round", actual: "True dirt after the round", seen: "Observed dirt",
-  path: "Tool path", ribbon: "Force along the path", strokes: "Planned strokes", rejected: "Rejected plan, chosen in its table", bases: "Rated base poses", force: "Force", events: "Events, force at pushes", found: "Surface found by touch", actualSurface: "True surface", collision: "Collision shapes",
+/** Labels of the layers, and whether a recording has data for them: layers without data get no toggle. */
+const LISTED: Record<keyof Layers, [label: string, has: (recording: Recording) => unknown]> = {
+  believed: ["Believed and predicted dirt", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0))],
+  estimated: ["Estimated dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null)],
+  actual: ["True dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null)],
+  seen: ["Observed dirt", ({ rounds, observedBefore }) => observedBefore ?? rounds.some(({ observed }) => observed)],
+  path: ["Tool path", ({ rounds }) => rounds.some(({ count }) => count)],
+  ribbon: ["Force along the path", ({ rounds }) => rounds.some(({ count }) => count)],
+  strokes: ["Planned strokes", ({ rounds }) => rounds.some(({ plan }) => plan.strokes.length)],
+  rejected: ["Rejected plan, chosen in its table", ({ rounds }) => rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length))],
+  bases: ["Rated base poses", ({ rounds }) => rounds.some(({ plan }) => plan.bases?.poses.length)],
+  force: ["Force", ({ rounds }) => rounds.some(({ count }) => count)],
+  events: ["Events, force at pushes", ({ happenings }) => happenings.length],
+  found: ["Surface found by touch", ({ rounds }) => rounds.some(({ interpreted }) => interpreted?.found)],
+  actualSurface: ["True surface", ({ rounds }) => rounds.some(({ truth }) => truth?.surface)],
+  collision: ["Collision shapes", ({ head }) => head?.robot?.links.some((link) => collisionOf(link).length)],
 };
 
 /** Distance of the label from the pointer [pixels]. */
 const POINT_PX = 24;
 
 /** A legend entry of queried data: a line, or particles in a state. */
-export interface Named {
+interface Named {
   name: string;
   colour: string;
-  form?: "before" | "estimated";
+  form?: ShownParticles["state"];
 }
 
 export class ScenePanel {
@@ -40,11 +55,10 @@ export class ScenePanel {
   private readonly mapTitle = el("strong");
   private readonly mapScale = el("div", { class: "w-map-scale", hidden: true }, this.mapTitle);
   private readonly forceTitle = el("strong");
-  private readonly forceScale = el("div", { class: "w-force-scale", hidden: true }, this.forceTitle,
-    el("ul", {}, ...FORCES.map(({ colour, label }) => el("li", {}, el("i", { "aria-hidden": "true", style: `background:var(--${colour})` }), label))));
+  private readonly forceScale = el("div", { class: "w-force-scale", hidden: true }, this.forceTitle, makeSwatches(FORCES));
   private readonly point = el("div", { class: "w-point", hidden: true });
   private readonly reach = makeReachScale();
-  private queried: Named[] = [];
+  private shown = NOTHING_SHOWN;
   /** Name of the rejected strokes that a reader chose. */
   private rejected: string | null = null;
   private scaleOf: TreatmentRecord | null = null;
@@ -93,6 +107,7 @@ export class ScenePanel {
     canvas.addEventListener("pointerleave", () => this.explain(null));
     this.stop.push(() => sizes.disconnect(), onTheme(() => {
       stage.paint();
+      this.listNamed();
       if (isPrinting()) this.still.src = stage.picture();
     }));
   }
@@ -103,32 +118,15 @@ export class ScenePanel {
     this.showScale();
     if (this.version === this.recording.version) return;
     this.version = this.recording.version;
-    // Layers without data get no toggle.
-    const { rounds, observedBefore, head } = this.recording;
+    const { rounds, head } = this.recording;
     const robot = head?.robot;
-    const has: Record<keyof Layers, unknown> = {
-      believed: rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0)),
-      estimated: rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null),
-      actual: rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null),
-      seen: observedBefore !== null || rounds.some(({ observed }) => observed !== null),
-      path: rounds.some(({ count }) => count > 0),
-      ribbon: rounds.some(({ count }) => count > 0),
-      strokes: rounds.some(({ plan }) => plan.strokes.length > 0),
-      rejected: rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length)),
-      bases: rounds.some(({ plan }) => plan.bases?.poses.length),
-      force: rounds.some(({ count }) => count > 0),
-      events: this.recording.happenings.length > 0,
-      found: rounds.some(({ interpreted }) => interpreted?.found != null),
-      collision: robot?.links.some((link) => collisionOf(link).length > 0) ?? false,
-      actualSurface: rounds.some(({ truth }) => truth?.surface != null),
-    };
     if (robot && hasMadeBody(robot)) this.boxes.get("collision")?.querySelector("label")!.replaceChildren(mark("collision"), "Collision shapes (the robot's shell is drawn from them)");
     const treated = rounds.find(isTreated);
     if (this.stage && treated && !this.treats) this.nameMaps(treated);
     this.element.toggleAttribute("data-target", rounds.some(({ target }) => target !== null));
-    for (const [name, box] of this.boxes) box.hidden = !has[name];
+    for (const [name, box] of this.boxes) box.hidden = !LISTED[name][1](this.recording);
     const layers = this.element.querySelector<HTMLElement>(".w-layers");
-    if (layers) layers.hidden = !Object.values(has).some(Boolean);
+    if (layers) layers.hidden = [...this.boxes.values()].every(({ hidden }) => hidden);
   }
 
   /** Shows force and height of the tool at the place of its path that is under the pointer. */
@@ -141,7 +139,7 @@ export class ScenePanel {
     const target = round.isPressed(instant.time) ? round.target : null;
     say(this.point, [
       `${fixed(normal, 1)} N${target === null ? "" : `, ${percent(normal / target)} of the target of ${fixed(target, 1)} N`}`,
-      height === null ? "" : `height ${fixed(1000 * height, 1)} mm`,
+      height === null ? "" : `tool height ${heightText(instant)}`,
       `${clockText(time!, 2)} (click to go there)`,
     ].filter((line) => line).join("\n"));
     const [x, y] = pointer;
@@ -190,10 +188,22 @@ export class ScenePanel {
     this.follow.setAttribute("aria-pressed", String(this.stage.follow));
   }
 
-  /** Lists queried data in the legend. */
-  name(list: Named[]): void {
-    this.queried = list;
+  /** Shows data of a query, and lists them in the legend. */
+  showData(shown: Shown): void {
+    this.shown = shown;
+    this.stage?.showData(shown);
     this.listNamed();
+  }
+
+  /** Returns the legend entries of the shown data of a query. */
+  private get queried(): Named[] {
+    const { trajectories, ghosts, frames, particles } = this.shown;
+    return [
+      ...trajectories.map(({ name, color }, i) => ({ name, colour: safeColour(color, i) })),
+      ...ghosts.map(({ time, color }) => ({ name: `${this.recording.head?.robot ? "robot" : "tool"} at ${clockText(time)}`, colour: hexOr(color, colour("ghost")) })),
+      ...frames.map(({ name, color }) => ({ name, colour: hexOr(color, colour("axis-z")) })),
+      ...particles.map(({ name, color, state }) => ({ name, colour: askedColour(color), form: state })),
+    ];
   }
 
   /** Shows what a reader chose of a plan. */
@@ -204,7 +214,7 @@ export class ScenePanel {
   }
 
   private listNamed(): void {
-    const rejected = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" } as Named] : [];
+    const rejected: Named[] = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" }] : [];
     this.extra.replaceChildren(...[...rejected, ...this.queried].map(({ name, colour, form }) => {
       if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
       const line = el("i", { "aria-hidden": "true" });
@@ -228,7 +238,7 @@ export class ScenePanel {
         this.showScale();
         this.listNamed();
       } });
-      const item = el("li", {}, box, el("label", { for: id }, mark(name), NAMES[name]));
+      const item = el("li", {}, box, el("label", { for: id }, mark(name), LISTED[name][0]));
       this.boxes.set(name, item);
       return item;
     });

@@ -1,16 +1,15 @@
 // The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
-import { BufferGeometry, Color, Float32BufferAttribute, Group, Points, PointsMaterial, Vector3 } from "three";
+import { Color, Group, Vector3 } from "three";
 import { Column, lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
-import { dotTexture } from "./dirt.ts";
+import { dotTexture, makeDots, type Dots } from "./dots.ts";
 import { normalUnder } from "./bend.ts";
 import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
-import { matrix, shiftDepth } from "./solids.ts";
+import { disposeAll, matrix } from "./solids.ts";
 import type { Pose } from "../recording.ts";
-import { LEAST_SAMPLES } from "../round.ts";
-import type { Contact, Round } from "../round.ts";
+import { LEAST_SAMPLES, type Contact, type Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
 const STEP_M = 0.0015;
@@ -170,10 +169,8 @@ export const trackName = (i: number): string => `track-${(i % TRACK_COLOURS) + 1
 
 export class Trajectories {
   readonly group = new Group();
-  private list: Trajectory[] = [];
 
   show(list: Trajectory[]): void {
-    this.list = list;
     disposeAll(this.group);
     list.forEach(({ points, samples, color }, i) => {
       // Drawn after the translucent highlight of the same path, and nearer than that path.
@@ -184,10 +181,6 @@ export class Trajectories {
       this.group.add(line);
       if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
     });
-  }
-
-  paint(): void {
-    this.show(this.list);
   }
 }
 
@@ -211,24 +204,11 @@ export class Axes {
   }
 }
 
-/** Returns points of equal size on the screen. */
-function dots(places: readonly [number, number, number][], color: string): Points {
-  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places.flat(), 3));
-  const look = new PointsMaterial({ size: DOT_PX, sizeAttenuation: false, map: dotTexture(), alphaTest: 0.3, transparent: true });
-  look.color.set(color);
-  const points = new Points(geometry, shiftDepth(look, 0.98));
-  points.frustumCulled = false;
-  points.renderOrder = 7;
-  return points;
-}
-
-export function disposeAll(group: Group): void {
-  for (const child of [...group.children]) {
-    const { geometry, material } = child as Points<BufferGeometry, PointsMaterial>;
-    geometry.dispose();
-    material.dispose();
-    group.remove(child);
-  }
+/** Makes dots of a colour. */
+function dots(places: readonly [number, number, number][], color: string): Dots {
+  const made = makeDots(places.flat(), dotTexture(), DOT_PX);
+  made.material.color.set(color);
+  return made;
 }
 
 /** Returns `color` if it is a hexadecimal colour, else `other`. */

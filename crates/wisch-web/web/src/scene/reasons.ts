@@ -1,22 +1,23 @@
 // What a plan is compared with: the strokes of a rejected plan as thin lines, and on the floor the rated base poses.
-import { CanvasTexture, Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3 } from "three";
-import type { BufferGeometry } from "three";
+import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3 } from "three";
+import type { BufferGeometry, CanvasTexture } from "three";
 import { REACH_BANDS, reachBand } from "../bases.ts";
 import { colour } from "../theme.ts";
 import type { Places, RatedBases, RoundPiece } from "../recording.ts";
 import { liftLine } from "./bend.ts";
-import { LineMaterial, chain, segments } from "./lines.ts";
-import { matrix, shiftDepth } from "./solids.ts";
+import { drawTexture } from "./dots.ts";
+import { LineMaterial, chain, segments, setSegments } from "./lines.ts";
+import { disposeAll, placeAt, shiftDepth } from "./solids.ts";
 import { ABOVE, corners } from "./surface.ts";
 
 export class RejectedStrokes {
   readonly group = new Group();
   /** Lines, and a rim that sets them off from what lies below. */
-  private readonly looks = ["paper", "rejected"].map((name, i) => Object.assign(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), { name }));
+  private readonly lines = ["paper", "rejected"].map((name, i) => segments([], Object.assign(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), { name })));
   private shown: readonly Places[] | null = null;
 
   constructor() {
-    this.group.matrixAutoUpdate = false;
+    this.group.add(...this.lines);
     this.paint();
   }
 
@@ -30,16 +31,13 @@ export class RejectedStrokes {
     this.group.visible = lines !== null;
     if (!lines || lines === this.shown) return;
     this.shown = lines;
-    for (const line of this.group.children) (line as ReturnType<typeof segments>).geometry.dispose();
-    this.group.clear();
-    matrix(pose, this.group.matrix);
-    this.group.matrixWorldNeedsUpdate = true;
+    placeAt(this.group, pose);
     const ends = lines.flatMap((line) => chain(liftLine(shape, corners(line, 2.5 * ABOVE), false), false));
-    this.group.add(...this.looks.map((look) => segments(ends, look)));
+    for (const line of this.lines) setSegments(line, ends);
   }
 
   paint(): void {
-    for (const look of this.looks) look.color.set(colour(look.name));
+    for (const { material } of this.lines) material.color.set(colour(material.name));
   }
 }
 
@@ -58,10 +56,7 @@ function makeDrop(radius: number): BufferGeometry {
 }
 
 /** Draws a number in a disc. */
-function drawNumber(number: number): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d")!;
+const drawNumber = (number: number): CanvasTexture => drawTexture((pen) => {
   pen.arc(32, 32, 30, 0, 2 * Math.PI);
   pen.fillStyle = colour("ink");
   pen.fill();
@@ -70,8 +65,7 @@ function drawNumber(number: number): CanvasTexture {
   pen.textBaseline = "middle";
   pen.fillStyle = colour("paper");
   pen.fillText(String(number), 32, 35);
-  return new CanvasTexture(canvas);
-}
+});
 
 /** The map of base poses: drops that point where the base faces, in the colour of their share in reach; chosen ones are ringed and numbered. */
 export class BaseMap {
@@ -89,7 +83,7 @@ export class BaseMap {
     this.group.visible = bases !== undefined;
     if (!bases || (this.shown === bases && this.theme === theme)) return;
     [this.shown, this.theme] = [bases, theme];
-    this.clear();
+    disposeAll(this.group);
     const { poses, chosen } = bases;
     const bands = Array.from({ length: REACH_BANDS }, (_, i) => new Color(colour(`band-${i + 1}`)));
     const rims = this.addMarks(makeDrop(RADIUS_M + RIM_M), poses.length);
@@ -122,19 +116,6 @@ export class BaseMap {
     marks.frustumCulled = false;
     this.group.add(marks);
     return marks;
-  }
-
-  private clear(): void {
-    for (const child of this.group.children as (InstancedMesh | Sprite)[]) {
-      // All sprites share one geometry.
-      if (child instanceof Sprite) child.material.map?.dispose();
-      else {
-        child.dispose();
-        child.geometry.dispose();
-      }
-      (child.material as MeshBasicMaterial).dispose();
-    }
-    this.group.clear();
   }
 }
 

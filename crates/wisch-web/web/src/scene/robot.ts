@@ -1,6 +1,5 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
-import type { BufferGeometry, Material } from "three";
+import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Vector3, type BufferGeometry, type Material } from "three";
 import { makeBody } from "./body.ts";
 import type { Finish } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
@@ -22,7 +21,19 @@ export interface RobotMaterials {
   coloured(color: Rgba): Material;
 }
 
-export const ghostMaterial = (): MeshLambertMaterial => new MeshLambertMaterial({ transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
+/** Returns materials that draw everything as one. */
+const allAs = (look: Material): RobotMaterials => ({ body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look });
+
+/** Makes a translucent copy of a robot at a time. Its depths are drawn first, after all else, so that none of its parts shows another one. */
+export function makeGhost(head: Head, meshes: MeshRecord[], shared: Robot, color: string, ...place: Parameters<Robot["show"]>): Group {
+  const look = new MeshLambertMaterial({ color, transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
+  return new Group().add(...[new MeshBasicMaterial({ transparent: true, colorWrite: false }), look].map((material, i) => {
+    const ghost = new Robot(head, meshes, allAs(material), shared);
+    ghost.show(...place);
+    ghost.order = 10 + i;
+    return ghost.group;
+  }));
+}
 
 interface Part { geometry: BufferGeometry; linkFromPart: Matrix4; look: Finish | Rgba }
 
@@ -113,9 +124,9 @@ export class Robot {
     return [this.tool.geometry, ...this.parts.flat().map(({ geometry }) => geometry)].reduce((sum, { index, attributes }) => sum + (index?.count ?? attributes.position!.count) / 3, 0);
   }
 
-  /** Draws the robot over what lies behind it, as it must be while it is translucent. */
-  set last(last: boolean) {
-    for (const link of this.links) for (const mesh of link.children) mesh.renderOrder = last ? 9 : 0;
+  /** Place in the order in which things are drawn: what is translucent comes after what lies behind it. */
+  set order(order: number) {
+    for (const mesh of [this.tool, ...this.links.flatMap(({ children }) => children)]) mesh.renderOrder = order;
   }
 
   /** Position of the tool in the world [m]. */

@@ -1,5 +1,5 @@
 // A surface of a mesh: its points by their places in the chart.
-import { BufferAttribute, BufferGeometry, Vector3 } from "three";
+import { Box2, BufferAttribute, BufferGeometry, Vector2, Vector3 } from "three";
 import type { MeshShape } from "../recording.ts";
 
 /** Triangle and barycentric coordinates of a place; outside the chart, those of the triangle at the nearest vertex. */
@@ -12,7 +12,7 @@ interface Located {
 export class Sheet {
   readonly geometry: BufferGeometry;
   private readonly normals: ArrayLike<number>;
-  private readonly low: [number, number] = [Infinity, Infinity];
+  private readonly low: [number, number];
   private readonly cell: number;
   private readonly columns: number;
   private readonly cells: number[][] = [];
@@ -26,14 +26,12 @@ export class Sheet {
     this.geometry.setIndex([...triangles]);
     this.geometry.computeVertexNormals();
     this.normals = this.geometry.getAttribute("normal").array;
-    const high = [-Infinity, -Infinity];
-    for (let i = 0; i < places.length; i++) {
-      this.low[i % 2] = Math.min(this.low[i % 2]!, places[i]!);
-      high[i % 2] = Math.max(high[i % 2]!, places[i]!);
-    }
-    const size = [high[0]! - this.low[0], high[1]! - this.low[1]] as const;
-    this.cell = Math.max(Math.sqrt((3 * size[0] * size[1]) / Math.max(triangles.length, 1)), 1e-4);
-    this.columns = Math.floor(size[0] / this.cell) + 1;
+    const chart = new Box2();
+    for (let i = 0; i < places.length; i += 2) chart.expandByPoint(new Vector2(places[i], places[i + 1]));
+    this.low = chart.min.toArray();
+    const size = chart.getSize(new Vector2());
+    this.cell = Math.max(Math.sqrt((3 * size.x * size.y) / Math.max(triangles.length, 1)), 1e-4);
+    this.columns = Math.floor(size.x / this.cell) + 1;
     for (let t = 0; t < triangles.length; t += 3) {
       const corners = [0, 1, 2].map((k) => triangles[t + k]!);
       corners.forEach((i) => (this.triangleOf[i] ??= t));

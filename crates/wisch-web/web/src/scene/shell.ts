@@ -1,5 +1,5 @@
 // Surfaces of which a robot's body is made: turned profiles, and shells round blended shapes.
-import { BufferAttribute, BufferGeometry, Matrix4, Quaternion, Vector3 } from "three";
+import { BufferGeometry, Float32BufferAttribute, LatheGeometry, Matrix4, Quaternion, Vector2, Vector3 } from "three";
 
 /** Materials of a body. */
 export type Finish = "casing" | "joint" | "ring" | "handle";
@@ -18,46 +18,17 @@ export interface Rod {
 export const alongAxis = (axis: Vector3, at = new Vector3()): Matrix4 =>
   new Matrix4().makeRotationFromQuaternion(new Quaternion().setFromUnitVectors(Z, axis.clone().normalize())).setPosition(at);
 
-const makeGeometry = (points: Float32Array, normals: Float32Array, index: number[]): BufferGeometry =>
-  new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3)).setAttribute("normal", new BufferAttribute(normals, 3)).setIndex(index);
-
-function put(array: Float32Array, at: number, x: number, y: number, z: number): void {
-  array[3 * at] = x;
-  array[3 * at + 1] = y;
-  array[3 * at + 2] = z;
-}
-
 export type Profile = [radius: number, z: number][];
 
 /** Turns a profile, from its bottom to its top [m], about z. A point that stands twice makes an edge. */
 export function turn(profile: Profile, segments = 24): BufferGeometry {
-  const points = new Float32Array(3 * (segments + 1) * profile.length);
-  const normals = new Float32Array(points.length);
-  const index: number[] = [];
-  const slopes = profile.slice(1).map(([radius, z], j) => ({ out: z - profile[j]![1], up: profile[j]![0] - radius }));
-  const leans = profile.map((_, j) => {
-    const [out, up] = [(slopes[j - 1]?.out ?? 0) + (slopes[j]?.out ?? 0), (slopes[j - 1]?.up ?? 0) + (slopes[j]?.up ?? 0)];
-    const size = Math.hypot(out, up) || 1;
-    return { out: out / size, up: up / size };
-  });
-  for (let i = 0; i <= segments; i++) {
-    const angle = (2 * Math.PI * i) / segments;
-    const cos = Math.cos(angle);
-    const sin = Math.sin(angle);
-    for (let j = 0; j < profile.length; j++) {
-      const radius = profile[j]![0];
-      const { out, up } = leans[j]!;
-      const b = i * profile.length + j;
-      put(points, b, radius * cos, radius * sin, profile[j]![1]);
-      put(normals, b, out * cos, out * sin, up);
-      const slope = slopes[j];
-      if (i === 0 || !slope || (slope.out === 0 && slope.up === 0)) continue;
-      const a = b - profile.length;
-      if (radius > 0) index.push(a, b, b + 1);
-      if (profile[j + 1]![0] > 0) index.push(a, b + 1, a + 1);
-    }
-  }
-  return makeGeometry(points, normals, index);
+  const turned = new LatheGeometry(profile.map(([radius, z]) => new Vector2(radius, z)), segments).rotateX(Math.PI / 2);
+  // Triangles at the axis and at edges have no area: there are two for each segment and each part of the profile.
+  return turned.setIndex([...turned.index!.array].filter((_, k) => {
+    const j = Math.floor(k / 6) % (profile.length - 1);
+    const [from, to] = [profile[j]!, profile[j + 1]!];
+    return (from[0] !== to[0] || from[1] !== to[1]) && (k % 6 < 3 ? from : to)[0] > 0;
+  }));
 }
 
 /** Returns the distance of a point from the surface of a capsule [m], negative inside. */
@@ -84,9 +55,8 @@ export interface Shell {
 /** Width over which capsules are blended, and over which the box cuts them [m]. */
 const BLEND_M = 0.012;
 const SOFT_M = 0.01;
-/** A point is this near to the surface after at most so many steps; the same distance is the step of differences [m]. */
+/** How near a point is to the surface, and step of differences [m]. */
 const NEAR_M = 1e-4;
-const MOST_STEPS = 12;
 
 function distanceToShell({ rods, box, edge }: Shell, x: number, y: number, z: number): number {
   let sum = 0;
@@ -98,26 +68,16 @@ function distanceToShell({ rods, box, edge }: Shell, x: number, y: number, z: nu
   return SOFT_M * Math.log(sum ** (-BLEND_M / SOFT_M) + Math.exp(cut / SOFT_M));
 }
 
-/** Returns a zero of a function that is negative at 0 and positive at `outer` (regula falsi, Illinois variant); 0 if it is positive at 0. */
+/** Returns a zero of a rising function between 0 and `outer` by halving; 0 if it is positive at 0. */
 function findZero(of: (x: number) => number, outer: number): number {
-  let inner = 0;
-  let [below, above] = [of(0), of(outer)];
-  if (below >= 0) return 0;
-  let [x, side] = [0, 0];
-  for (let k = 0; k < MOST_STEPS; k++) {
-    x = (inner * above - outer * below) / (above - below);
-    const value = of(x);
-    if (Math.abs(value) < NEAR_M) break;
-    if (value < 0) {
-      [inner, below] = [x, value];
-      if (side < 0) above /= 2;
-    } else {
-      [outer, above] = [x, value];
-      if (side > 0) below /= 2;
-    }
-    side = Math.sign(value);
+  if (of(0) >= 0) return 0;
+  let [from, to] = [0, outer];
+  while (to - from > 0.5 * NEAR_M) {
+    const middle = (from + to) / 2;
+    if (of(middle) < 0) from = middle;
+    else to = middle;
   }
-  return x;
+  return (from + to) / 2;
 }
 
 /** Returns a patch of a shell, `inset` under it [m], between azimuths from the front [rad] and heights in [-1, 1]. `column`: width of
@@ -129,9 +89,7 @@ export function makePatch(shell: Shell, inset: number, [left, right]: [number, n
   const heights = Array.from({ length: rows + 1 }, (_, j) => Math.sin(bottom + (j / rows) * (top - bottom)));
   // An end of the shell is closed by a row on its axis.
   const closed = [...(low <= -1 ? [-1] : []), ...heights, ...(high >= 1 ? [1] : [])];
-  const points = new Float32Array(3 * (columns + 1) * closed.length);
-  const normals = new Float32Array(points.length);
-  const index: number[] = [];
+  const [points, normals, index] = [[] as number[], [] as number[], [] as number[]];
   const [at, slope] = [new Vector3(), new Vector3()];
   const distance = (x: number, y: number, z: number) => distanceToShell(shell, x, y, z) + inset;
   closed.forEach((height, j) => {
@@ -148,11 +106,11 @@ export function makePatch(shell: Shell, inset: number, [left, right]: [number, n
       at.set(x, y, z).applyMatrix4(shell.linkFromShell);
       slope.set(distance(x + NEAR_M, y, z) - here, distance(x, y + NEAR_M, z) - here, distance(x, y, z + NEAR_M) - here).transformDirection(shell.linkFromShell);
       const b = j * (columns + 1) + i;
-      put(points, b, at.x, at.y, at.z);
-      put(normals, b, slope.x, slope.y, slope.z);
+      points.push(at.x, at.y, at.z);
+      normals.push(slope.x, slope.y, slope.z);
       const a = b - columns - 1;
       if (j > 0 && i < columns) index.push(a, a + 1, b, b, a + 1, b + 1);
     }
   });
-  return makeGeometry(points, normals, index);
+  return new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3)).setAttribute("normal", new Float32BufferAttribute(normals, 3)).setIndex(index);
 }

@@ -2,11 +2,9 @@
 import { Vector3 } from "three";
 import { liftLine, normalUnder } from "./bend.ts";
 import { matrix } from "./solids.ts";
-import { corners } from "./surface.ts";
-import { blocksOf, chooseDirection, cornersOf, middleOf } from "./viewpoint.ts";
-import type { Moment } from "./viewpoint.ts";
+import { corners, type Still } from "./surface.ts";
+import { blocksOf, chooseDirection, cornersOf, middleOf, type Moment } from "./viewpoint.ts";
 import type { Robot } from "./robot.ts";
-import type { Still } from "./surface.ts";
 import type { RoundPiece } from "../recording.ts";
 import type { Round } from "../round.ts";
 import type { Recording } from "../store.ts";

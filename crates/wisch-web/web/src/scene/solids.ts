@@ -3,7 +3,7 @@ import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import type { Material } from "three";
+import type { Material, Mesh, Object3D, Texture } from "three";
 import { PER_METRE } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 
@@ -14,6 +14,25 @@ const CREASE = 0.7;
 /** Writes the matrix of a pose into `out`. */
 export function matrix([x, y, z, qx, qy, qz, qw]: Pose, out = new Matrix4()): Matrix4 {
   return out.compose(new Vector3(x, y, z), new Quaternion(qx, qy, qz, qw).normalize(), ONE);
+}
+
+/** Gives an object a pose, which nothing else changes. */
+export function placeAt<O extends Object3D>(object: O, pose: Pose): O {
+  object.matrixAutoUpdate = false;
+  matrix(pose, object.matrix);
+  object.matrixWorldNeedsUpdate = true;
+  return object;
+}
+
+/** Removes all that a group draws, and frees its memory on the graphics card. */
+export function disposeAll(group: Object3D): void {
+  for (const child of [...group.children] as (Mesh<BufferGeometry, Material & { map?: Texture | null }> & { dispose?: () => void })[]) {
+    child.dispose?.();
+    child.geometry.dispose();
+    child.material.map?.dispose();
+    child.material.dispose();
+    group.remove(child);
+  }
 }
 
 /** Scales the depth of a material by a factor: below 1 it is drawn nearer, above 1 farther. */

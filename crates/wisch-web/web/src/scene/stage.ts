@@ -6,26 +6,23 @@ import {
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
 import type { BufferGeometry } from "three";
-import { Asked } from "./asked.ts";
-import type { ShownParticles } from "./asked.ts";
+import { Asked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
-import { Dirt } from "./dirt.ts";
-import type { Mark } from "./dirt.ts";
+import { Dirt, type Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
-import { LineMaterial, segments } from "./lines.ts";
+import { LineMaterial, segments, setSegments } from "./lines.ts";
 import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { Axes, Path, Trajectories, hexOr } from "./path.ts";
-import type { ShownFrame, Trajectory } from "./path.ts";
+import { Axes, hexOr, Path, Trajectories, type ShownFrame, type Trajectory } from "./path.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
-import { Robot, ghostMaterial } from "./robot.ts";
-import type { RobotMaterials } from "./robot.ts";
+import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
 import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
+import type { Interval } from "../timeline/highlights.ts";
 import type { Choice } from "../why.ts";
 import type { Instant, Recording } from "../store.ts";
 import { mapAt } from "../treated.ts";
@@ -41,6 +38,19 @@ export interface Ghost {
   color?: string;
 }
 
+/** Data of a query, shown in addition to the recording. */
+export interface Shown {
+  trajectories: Trajectory[];
+  /** The robot, or the tool where no robot is known, at times. */
+  ghosts: Ghost[];
+  frames: ShownFrame[];
+  particles: ShownParticles[];
+  /** Intervals of the common clock, highlighted in the timeline and along the tool's path. */
+  intervals: Interval[];
+}
+
+export const NOTHING_SHOWN: Shown = { trajectories: [], ghosts: [], frames: [], particles: [], intervals: [] };
+
 export type Look = "all" | "surface" | "above";
 
 /** Maximum distance of a click from the path [pixels]. */
@@ -55,6 +65,9 @@ const SUN_LIGHT = 1.7;
 const SKY_LIGHT = 1.4;
 const AMBIENT_LIGHT = Math.PI - SKY_LIGHT - (SUN_LIGHT * SUN.z) / SUN.length();
 
+/** Colours of the robot's materials by their names on the page. */
+const ROBOT_COLOURS = { body: "body-1", arm: "arm-1", joint: "joint", ring: "ring", handle: "joint", collision: "quiet", tool: "tool" };
+
 export class Stage {
   readonly layers: Layers = { ...LAYERS };
   readonly camera: Camera;
@@ -68,15 +81,12 @@ export class Stage {
   private grid: GridHelper | null = null;
   private robot: Robot | null = null;
   private readonly ghosts = new Group();
-  private ghostList: Ghost[] = [];
-  private still: Still | null = null;
-  private path: Path | null = null;
-  private shots: Shots | null = null;
-  private readonly entered = new Map<Round, { still: Still; path: Path; shots: Shots }>();
-  private highlighted: { from: number; to: number }[] = [];
+  /** What is shown of the current round, and of the recent ones. */
+  private current: { still: Still; path: Path; shots: Shots } | null = null;
+  private readonly entered = new Map<Round, NonNullable<Stage["current"]>>();
+  private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
-  private readonly highlights = new Group();
-  private readonly highlightLook = new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false });
+  private readonly highlights = segments([], new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }));
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
@@ -163,23 +173,25 @@ export class Stage {
 
   look(at: Look): void {
     const instant = this.recording.at(this.time);
-    if (!this.shots || !instant) return;
+    const shots = this.current?.shots;
+    if (!shots || !instant) return;
     this.shot = null;
     this.chosen = true;
-    const points = at === "all" ? [...this.shots.all(instant.time), ...this.bases.places] : this.shots.surface();
-    this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : this.shots.from, this.camera.angles), true);
+    const points = at === "all" ? [...shots.all(instant.time), ...this.bases.places] : shots.surface();
+    this.camera.look(fit(points, at === "above" ? new Vector3(0, -1e-3, 1) : shots.from, this.camera.angles), true);
     this.ask();
   }
 
   /** Returns the time of the common clock at which the tool was at a point of the canvas; null if its path is not near. */
   timeAt(x: number, y: number): number | null {
-    if (!this.path || !(this.layers.path || this.layers.ribbon)) return null;
+    const path = this.current?.path;
+    if (!path || !(this.layers.path || this.layers.ribbon)) return null;
     const { clientWidth, clientHeight } = this.canvas;
-    const time = this.path.nearest((place) => {
+    const time = path.nearest((place) => {
       place.project(this.camera.lens);
       return { x: ((place.x + 1) / 2) * clientWidth, y: ((1 - place.y) / 2) * clientHeight };
-    }, x, y, this.time - this.path.round.start, NEAR_PX, !this.layers.path);
-    return time === null ? null : this.path.round.start + time;
+    }, x, y, this.time - path.round.start, NEAR_PX, !this.layers.path);
+    return time === null ? null : path.round.start + time;
   }
 
   /** Whether the camera follows the work: wide in free motion, close at strokes. */
@@ -198,13 +210,7 @@ export class Stage {
     this.seeThrough = share;
     const { body, arm, joint, ring, handle, own } = this.materials;
     for (const material of [body, arm, joint, ring, handle, ...own.values()]) this.clear(material);
-    if (this.robot) this.robot.last = share > 0;
-    this.ask();
-  }
-
-  highlight(intervals: { start: number; end: number }[]): void {
-    this.highlighted = intervals.map(({ start, end }) => ({ from: start, to: end }));
-    this.drawHighlights();
+    if (this.robot) this.robot.order = share > 0 ? 9 : 0;
     this.ask();
   }
 
@@ -216,7 +222,7 @@ export class Stage {
 
   /** What a reader chose of the plan of the shown round. */
   private get chosenNow(): Choice | null {
-    return this.choice && this.choice.round === this.still?.round ? this.choice : null;
+    return this.choice && this.choice.round === this.current?.still.round ? this.choice : null;
   }
 
   /** Lights up the force along the path in an interval of the common clock; null ends this. */
@@ -228,53 +234,38 @@ export class Stage {
 
   /** Number of drawn and of lit segments of the force along the path, for measurements. */
   get ribbon(): { drawn: number; lit: number } {
-    return this.path?.ribbon.counts ?? { drawn: 0, lit: 0 };
+    return this.current?.path.ribbon.counts ?? { drawn: 0, lit: 0 };
   }
 
-  showTrajectories(list: Trajectory[]): void {
-    this.trajectories.show(list);
+  /** Shows data of a query instead of those before. */
+  showData(shown: Shown): void {
+    this.shown = shown;
+    this.trajectories.show(shown.trajectories);
+    this.asked.show(shown.particles);
+    this.axes.show(shown.frames);
+    this.makeGhosts();
+    this.drawHighlights();
     this.ask();
   }
 
-  showParticles(list: ShownParticles[]): void {
-    this.asked.show(list);
-    this.ask();
-  }
-
-  showFrames(list: ShownFrame[]): void {
-    this.axes.show(list);
-    this.ask();
-  }
-
-  showGhosts(list: Ghost[]): void {
-    this.ghostList = list;
+  private makeGhosts(): void {
     this.ghosts.clear();
     const { head, meshes } = this.recording;
-    if (head && this.robot) {
-      for (const { time, color } of list) {
-        const instant = this.recording.at(time);
-        if (!instant) continue;
-        const look = ghostMaterial();
-        look.color.set(hexOr(color, colour("ghost")));
-        const ghost = new Robot(head, meshes, { body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look }, this.robot);
-        ghost.show(instant.round.plan.root, instant.q, instant.tool);
-        this.ghosts.add(ghost.group);
-      }
+    if (!head || !this.robot) return;
+    for (const { time, color } of this.shown.ghosts) {
+      const instant = this.recording.at(time);
+      if (!instant) continue;
+      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), instant.round.plan.root, instant.q, instant.tool));
     }
-    this.ask();
   }
 
   paint(): void {
-    const set = (material: Material, name: string) => (material as MeshStandardMaterial).color.set(colour(name));
-    const { body, arm, joint, ring, handle, collision, tool } = this.materials;
-    set(body, "body-1"); set(arm, "arm-1"); set(joint, "joint"); set(ring, "ring"); set(handle, "joint"); set(collision, "quiet"); set(tool, "tool");
+    for (const [part, name] of Object.entries(ROBOT_COLOURS)) (this.materials[part as keyof typeof ROBOT_COLOURS] as MeshStandardMaterial).color.set(colour(name));
     this.painter.paint();
-    this.showGhosts(this.ghostList);
-    this.highlightLook.color.set(colour("highlight"));
+    this.showData(this.shown);
+    this.highlights.material.color.set(colour("highlight"));
     if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
     this.dirt.paint();
-    this.asked.paint();
-    this.trajectories.paint();
     this.force.paint();
     this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
@@ -316,29 +307,34 @@ export class Stage {
     if (!this.robot && head) {
       this.robot = new Robot(head, meshes, this.materials);
       this.scene.add(this.robot.group);
-      this.showGhosts(this.ghostList);
+      this.makeGhosts();
     }
-    if (this.still?.round !== round) this.enter(instant);
+    if (this.current?.still.round !== round) this.enter(round);
+    const { still, path } = this.current!;
     this.aim(time);
     this.robot?.show(round.plan.root, instant.q, instant.tool);
     const stroke = instant.phase >= 0 ? round.plan.phases[instant.phase]!.stroke : null;
     const choice = this.chosenNow;
     this.rejected.show(this.layers.rejected && choice?.rejected ? choice.rejected.lines : null, round.plan.surface);
     this.bases.show(this.layers.bases ? round.plan.bases : undefined, theme());
-    this.still!.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
+    still.show({ strokes: this.layers.strokes, found: this.layers.found, actual: this.layers.actualSurface }, stroke, this.recording.foundAt(this.time), choice?.stroke ?? null);
     if (this.robot) this.robot.collisionShown = this.layers.collision;
-    this.still!.fade(this.camera.lens.position);
-    this.path!.show(time, this.layers);
-    this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(this.still!.surface, this.canvas.clientHeight));
+    still.fade(this.camera.lens.position);
+    path.show(time, this.layers);
+    this.dirt.show(this.recording, this.time, instant, this.layers, this.camera.pixelsPerMetre(still.surface, this.canvas.clientHeight));
     this.map.show(mapAt(this.recording, this.time, round, this.layers), theme());
     this.marks.show(this.recording, round, time, this.layers.events, theme());
     if (this.robot) this.force.show(instant, this.robot.toolPlace, this.camera.lens.position, this.layers.force);
   }
 
   /** Switches to another round; the geometry of recent rounds stays cached. */
-  private enter({ round }: Instant): void {
-    for (const object of [this.still?.group, this.path?.object]) if (object) this.scene.remove(object);
-    const kept = this.entered.get(round) ?? this.make(round);
+  private enter(round: Round): void {
+    if (this.current) this.scene.remove(this.current.still.group, this.current.path.object);
+    let kept = this.entered.get(round);
+    if (!kept) {
+      const still = new Still(round, this.recording);
+      kept = { still, path: new Path(round), shots: new Shots(this.recording, this.robot, still) };
+    }
     this.entered.delete(round);
     this.entered.set(round, kept);
     for (const [oldest, { still, path }] of this.entered) {
@@ -347,23 +343,15 @@ export class Stage {
       still.dispose();
       path.dispose();
     }
-    this.still = kept.still;
-    this.path = kept.path;
-    this.shots = kept.shots;
-    this.scene.add(this.still.group, this.path.object);
+    this.current = kept;
+    this.scene.add(kept.still.group, kept.path.object);
     this.drawHighlights();
     this.lightRibbon();
   }
 
-  private make(round: Round): { still: Still; path: Path; shots: Shots } {
-    const still = new Still(round, this.recording);
-    return { still, path: new Path(round), shots: new Shots(this.recording, this.robot, still) };
-  }
-
   /** Chooses the first view; while the camera follows, the view of a time of the round. */
   private aim(time: number): void {
-    const { shots } = this;
-    if (!shots) return;
+    const shots = this.current!.shots;
     if (!this.begun) {
       this.begun = true;
       this.camera.look(fit(shots.surface(), shots.from, this.camera.angles));
@@ -393,20 +381,14 @@ export class Stage {
   }
 
   private lightRibbon(): void {
-    if (!this.path) return;
-    const { start } = this.path.round;
-    this.path.ribbon.select(this.selected && [this.selected[0] - start, this.selected[1] - start]);
+    if (!this.current) return;
+    const { ribbon, round: { start } } = this.current.path;
+    ribbon.select(this.selected && [this.selected[0] - start, this.selected[1] - start]);
   }
 
   private drawHighlights(): void {
-    for (const line of [...this.highlights.children]) {
-      (line as ReturnType<typeof segments>).geometry.dispose();
-      this.highlights.remove(line);
-    }
-    if (!this.path) return;
-    const { start } = this.path.round;
-    const ends = this.highlighted.flatMap(({ from, to }) => this.path!.between(from - start, to - start));
-    if (ends.length) this.highlights.add(segments(ends, this.highlightLook));
+    const path = this.current?.path;
+    setSegments(this.highlights, path ? this.shown.intervals.flatMap(({ start, end }) => path.between(start - path.round.start, end - path.round.start)) : []);
   }
 
   private build({ center, radius }: Sphere): void {

@@ -1,6 +1,6 @@
 // The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
-  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial, Object3D,
+  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial,
   RingGeometry, Shape, ShapeGeometry, Vector2, Vector3,
 } from "three";
 import type { BufferGeometry } from "three";
@@ -9,12 +9,11 @@ import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
-import { geometryOf, matrix, shiftDepth } from "./solids.ts";
+import { geometryOf, placeAt, shiftDepth } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
 import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
-import { type Bend, trueShape } from "../store.ts";
-import type { Recording } from "../store.ts";
+import { trueShape, type Bend, type Recording } from "../store.ts";
 import type { Round } from "../round.ts";
 import type { Pose } from "../recording.ts";
 
@@ -90,6 +89,8 @@ export class Still {
     this.strokeGroup.visible = layers.strokes || chosen !== null;
     this.strokes.forEach((line, i) => {
       line.visible = layers.strokes || i === chosen;
+      line.material.name = i === chosen ? "chosen" : "stroke";
+      line.material.color.set(colour(line.material.name));
       line.material.linewidth = i === chosen ? 7 : i === stroke ? 9 : 6;
       line.material.opacity = i === chosen ? 1 : i === stroke ? 0.6 : 0.35;
     });
@@ -212,10 +213,4 @@ export class Still {
     flat(new CircleGeometry(Math.min(0.006, 0.3 * goal.radius), 24), 1, "goal-line");
     this.group.add(group);
   }
-}
-
-function placeAt<O extends Object3D>(object: O, pose: Pose): O {
-  object.matrixAutoUpdate = false;
-  matrix(pose, object.matrix);
-  return object;
 }

@@ -1,6 +1,5 @@
 // Where to look from: a direction from which no part of the robot hides tool and surface, and the distance at which all fits.
-import { Box3, Matrix4, Mesh, Ray, Vector3 } from "three";
-import type { BufferGeometry, Object3D } from "three";
+import { Box3, Matrix4, Mesh, Ray, Vector3, type BufferGeometry, type Object3D } from "three";
 
 /** Ratio of the visible extent to that of the shown points [1]. */
 const MARGIN = 1.12;

@@ -1,5 +1,5 @@
 // The answers of a query: number, table, remarks and diagrams.
-import { el, fixed } from "../dom.ts";
+import { el, fixed, makeTable } from "../dom.ts";
 import { drawPlot } from "./plots.ts";
 import { beginText, episodeIn, episodeTitle, episodesOf, titleOf } from "./shown.ts";
 import type { Answers, Cell, Mention, Plot } from "./server.ts";
@@ -52,7 +52,7 @@ export function drawAnswers(answers: Answers, actions: AnswerActions): Node[] {
   for (const remark of remarks) parts.push(el("p", { class: "w-quiet s-remark" }, remark));
   if (printed) parts.push(el("pre", { class: "s-printed" }, printed));
   for (const one of view?.plots ?? []) parts.push(drawPlot(one, titlesOf(answers, one)));
-  if (rows.length && columns.length) parts.push(makeTable(answers, actions));
+  if (rows.length && columns.length) parts.push(makeAnswerTable(answers, actions));
   else if (rows.length && about.every((mentions) => !mentions.length)) parts.push(el("p", {}, "True."));
   if (rows.length > MOST_ROWS) parts.push(el("p", { class: "w-quiet" }, `The table lists the first ${MOST_ROWS} of ${rows.length} answers.`));
   return parts;
@@ -76,11 +76,11 @@ function titlesOf(answers: Answers, { amounts = [], spans = [] }: Plot): (name: 
   };
 }
 
-function makeTable(answers: Answers, actions: AnswerActions): HTMLElement {
+function makeAnswerTable(answers: Answers, actions: AnswerActions): HTMLElement {
   const { rows, columns, units, about } = answers;
   const titles = columns.map((name, i) => (units[i] ? `${name} [${SHOWN[units[i]]?.[0] ?? units[i]}]` : name));
   const named = about.some((mentions) => mentions.length > 0);
-  const head = el("tr", {}, el("th", { scope: "col" }, el("span", { class: "s-hidden" }, "show")), ...titles.map((name) => el("th", { scope: "col" }, name)), named && el("th", { scope: "col" }, "Episode"));
+  const names = [el("span", { class: "w-hidden" }, "show"), ...titles, ...(named ? ["Episode"] : [])];
   const body = rows.slice(0, MOST_ROWS).map((row, i) => {
     const mentions = about[i] ?? [];
     const cells = [...row.map((value, k) => makeCell(answers, value, units[k] ?? null)), ...(named ? [makeEpisodeCell(mentions)] : [])];
@@ -89,7 +89,7 @@ function makeTable(answers: Answers, actions: AnswerActions): HTMLElement {
     return el("tr", {},
       el("td", {}, mentions.length ? el("button", { class: "w-button s-show", type: "button", "data-row": i, "aria-label": `Show answer ${i + 1}`, click: () => actions.show(answers, i, null) }, "Show") : ""), ...cells);
   });
-  return el("div", { class: `s-table${columns.length > MOST_BESIDE ? " s-stacks" : ""}`, tabindex: 0, role: "group", "aria-label": "Answers" }, el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
+  return el("div", { class: `s-table${columns.length > MOST_BESIDE ? " s-stacks" : ""}`, tabindex: 0, role: "group", "aria-label": "Answers" }, makeTable(names, body));
 }
 
 function makeEpisodeCell(mentions: Mention[]): HTMLElement {

@@ -1,10 +1,8 @@
 // The query panel: a query and its answers.
 import { el, say } from "../dom.ts";
-import { drawAnswers, hasView } from "./answers.ts";
+import { drawAnswers, hasView, type AnswerActions } from "./answers.ts";
 import { Completer } from "./complete.ts";
-import { Refused, ask, vocabulary } from "./server.ts";
-import type { AnswerActions } from "./answers.ts";
-import type { Fault } from "./server.ts";
+import { ask, Refused, vocabulary, type Fault } from "./server.ts";
 
 export interface AskActions extends AnswerActions {
   /** Called with a query when it is asked. */

@@ -1,8 +1,8 @@
 // Two recordings on one clock: their curves in the same plots, and a table of what differs.
-import { DASH, clockText, el, fixed, formatKnown, makeTable, percent, svg } from "../dom.ts";
+import { DASH, clockText, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
-import { estimateText, stateOf } from "../words.ts";
+import { stateOf } from "../words.ts";
 import type { Clock } from "../clock.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Round } from "../round.ts";
@@ -112,8 +112,7 @@ export function envelopeOf(recording: Recording, of: (round: Round) => PlotColum
 }
 
 type Scale = (value: number) => number;
-const text = (x: number, y: number, words: string, anchor: "start" | "middle" | "end", more = {}): SVGElement =>
-  svg("text", { x, y, "text-anchor": anchor, "font-size": 11, fill: "var(--quiet)", ...more }, words);
+const text = (x: number, y: number, words: string, anchor: "start" | "middle" | "end") => svgText(x, y, words, anchor, { "font-size": 11, fill: "var(--quiet)" });
 /** The first line is wider, so that it is seen below the second. */
 const lookOf = (i: number) => (i ? { "stroke-width": 1.2 } : { "stroke-width": 3, "stroke-opacity": 0.7 });
 const colourOf = (i: number): string => `var(--${i ? "second" : "first"})`;

@@ -1,17 +1,14 @@
 // The page of the studio: the list of runs, the shown recordings and the query. The address holds the shown state.
 import "./studio.css";
 import { el } from "../dom.ts";
-import { isSame, read, replace, write } from "./address.ts";
+import { isSame, read, replace, write, type Place } from "./address.ts";
 import { Ask } from "./ask.ts";
-import { Refused, onChanged, overview } from "./server.ts";
+import { onChanged, overview, Refused, type Answers, type Overview } from "./server.ts";
 import { Side } from "./side.ts";
 import { apply, episodesOf, shownOf } from "./shown.ts";
 import { LiveSource, loadEpisode } from "./source.ts";
-import { Stage } from "./stage.ts";
+import { Stage, type Source } from "./stage.ts";
 import { StartDialog } from "./start.ts";
-import type { Place } from "./address.ts";
-import type { Answers, Overview } from "./server.ts";
-import type { Source } from "./stage.ts";
 
 const HOME: Place = { kind: "home", ids: [], time: null, query: null };
 
@@ -39,7 +36,7 @@ class Studio {
     });
     this.ask = new Ask({
       show: (answers, row, id) => void this.show(answers, row, id),
-      clear: () => { for (const { view } of this.stage.shown) view.clearShown(); },
+      clear: () => { for (const { view } of this.stage.shown) view.show(); },
       asked: (query) => this.keep({ query }),
     });
     this.stage = new Stage({

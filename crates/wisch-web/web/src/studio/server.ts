@@ -1,13 +1,10 @@
 // The interface of the studio's server. Addresses are relative, so that requests keep the token in the page's address.
 import type { Pose } from "../recording.ts";
 
+/** An episode, as far as the page reads it. */
 export interface Listed {
   id: string;
   title: string;
-  action: string | null;
-  tool: string | null;
-  medium: string | null;
-  surface: string | null;
   /** Seconds since 1970. */
   begun: number;
   seconds: number;
@@ -25,10 +22,7 @@ export interface LiveRun {
   id: string;
   task: string;
   begun: string | null;
-  pid: number;
   state: "running" | "ended" | "lost";
-  episode: string | null;
-  own: boolean;
   message?: string | null;
 }
 
@@ -42,7 +36,6 @@ export interface Overview {
   list: { episodes: Listed[]; total: number; broken: string[] };
   runs: LiveRun[];
   scenarios: Scenario[];
-  limits: { answers: number; seconds: number };
 }
 
 export interface Named {

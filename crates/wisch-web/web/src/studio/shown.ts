@@ -1,7 +1,8 @@
 // The data that an answer shows, with times on the common clock of a recording.
 import { clockText } from "../dom.ts";
 import { colour as named } from "../theme.ts";
-import type { Ghost, Interval, ShownFrame, ShownParticles, Trajectory, View } from "../view.ts";
+import { NOTHING_SHOWN, type Shown } from "../scene/stage.ts";
+import type { View } from "../view.ts";
 import type { Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
 
@@ -10,13 +11,8 @@ const ALMOST_ALL = 0.95;
 /** Tolerance for equal times [s]. */
 const SAME_S = 1e-3;
 
-export interface Shown {
-  trajectories: Trajectory[];
-  /** The robot, or the tool where no robot is known, at times. */
-  ghosts: Ghost[];
-  frames: ShownFrame[];
-  intervals: Interval[];
-  particles: ShownParticles[];
+/** Data of an answer. */
+export interface ShownAnswer extends Shown {
   /** Times of the shown particles, used if nothing else has a time [s]. */
   since: number[];
 }
@@ -34,10 +30,10 @@ export function episodesOf({ about, view }: Answers, row: number | null): string
 }
 
 /** Returns the data to show in one episode, for one answer or for all (`row` null). */
-export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): Shown {
+export function shownOf(answers: Answers, row: number | null, id: string, recording: Recording): ShownAnswer {
   const view = answers.view;
   const begins = view?.episodes.find((episode) => episode.id === id);
-  const shown: Shown = { trajectories: [], ghosts: [], frames: [], intervals: [], particles: [], since: [] };
+  const shown: ShownAnswer = { ...structuredClone(NOTHING_SHOWN), since: [] };
   if (!view || !begins) return shown;
   const at = (time: number) => clockTime(recording, begins.rounds ?? [begins.interval[0]], time);
   const mentions = mentionsOf(row === null ? answers.about.flat() : answers.about[row] ?? [], id, begins.interval);
@@ -103,13 +99,9 @@ export function clockTime(recording: Recording, begins: number[], time: number):
 }
 
 /** Shows the data in a view, and seeks to the first queried time: that of a pose, or else the start of an interval. */
-export function apply(view: View, { trajectories, ghosts, frames, intervals, particles, since }: Shown): void {
-  view.clearShown();
-  view.showTrajectories(trajectories);
-  view.showRobotAt(ghosts);
-  view.showFrames(frames);
-  view.showParticles(particles);
-  view.highlight(intervals);
+export function apply(view: View, answer: ShownAnswer): void {
+  view.show(answer);
+  const { ghosts, frames, intervals, since } = answer;
   const times = [[...ghosts, ...frames].map(({ time }) => time), intervals.map(({ start }) => start), since].find((list) => list.length);
   if (times) view.seek(Math.min(...times));
 }

@@ -1,8 +1,7 @@
 // The side panel with the list of runs and episodes.
 import { el, fixed, percent, say } from "../dom.ts";
 import { goalState } from "../words.ts";
-import { clearRun } from "./server.ts";
-import type { Listed, LiveRun, Overview } from "./server.ts";
+import { clearRun, type Listed, type LiveRun, type Overview } from "./server.ts";
 import { write } from "./address.ts";
 
 /** Time without typing until the search starts [ms]. */

@@ -1,9 +1,9 @@
 // The main area: one recording, or two side by side on one clock.
-import { Clock } from "../clock.ts";
+import { Clock, onRest } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
+import { onNews } from "../frames.ts";
 import { Story } from "../story.ts";
-import { mountView } from "../view.ts";
-import type { View } from "../view.ts";
+import { mountView, type View } from "../view.ts";
 import { stateOf } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";
@@ -11,9 +11,6 @@ import { Comparison, makeLetter } from "./compare.ts";
 import { linkCameras } from "./link.ts";
 import { stopRun } from "./server.ts";
 import type { LiveSource } from "./source.ts";
-
-/** Time without movement until the clock counts as resting [ms]. */
-const REST_MS = 300;
 
 export interface Source {
   id: string;
@@ -68,12 +65,7 @@ export class Stage {
     if (shared) this.compare(shared);
     const clock = this.panes[0]!.view.clock;
     if (time !== null) clock.seek(time);
-    let later: ReturnType<typeof setTimeout> | undefined;
-    this.stops.push(clock.subscribe(() => {
-      clearTimeout(later);
-      if (clock.playing || clock.following) return;
-      later = setTimeout(() => this.actions.rests(clock.time), REST_MS);
-    }), () => clearTimeout(later));
+    this.stops.push(onRest(clock, this.actions.rests));
   }
 
   /** Links the views, and shows what differs between their recordings. */
@@ -82,7 +74,7 @@ export class Stage {
     if (!first || !second) return;
     const comparison = new Comparison([first.recording, second.recording], [first.id, second.id], clock);
     this.element.append(comparison.element);
-    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { camera }, recording }) => ({ camera, recording }))));
+    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { stage }, recording }) => ({ camera: stage?.camera ?? null, recording }))));
   }
 
   private makePane(source: Source, shared: Clock | undefined, i: number): Pane {
@@ -92,15 +84,7 @@ export class Stage {
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
     const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
-    let asked = 0;
-    const stop = recording.onChange((piece) => {
-      if (piece?.piece === "samples" || asked) return;
-      asked = requestAnimationFrame(() => {
-        asked = 0;
-        head.show();
-      });
-    });
-    return { ...source, view, head, stop };
+    return { ...source, view, head, stop: onNews(recording, () => head.show()) };
   }
 
   /** Closes the summaries. */

@@ -1,7 +1,6 @@
 // The dialog that starts a run.
 import { el, say } from "../dom.ts";
-import { Refused, startRun } from "./server.ts";
-import type { Scenario } from "./server.ts";
+import { Refused, startRun, type Scenario } from "./server.ts";
 
 const STRATEGIES = ["best", "adaptive", "grid", "rrt", "kde"];
 

@@ -11,7 +11,7 @@ export type LaneName = "axis" | "rounds" | "phases" | "contact" | "events" | "fo
 
 const LABELS: Record<LaneName, string> = {
   axis: "", rounds: "Round", phases: "Phase, stroke", contact: "Contact", events: "Events",
-  force: "Force [N]", height: "Height [mm]", performance: "Performance\n[%]",
+  force: "Force [N]", height: "Tool height\n[mm]", performance: "Performance\n[%]",
 };
 const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
 /** Dashes of the simulator's truth and of predictions, on the timeline [pixels]. */
@@ -94,9 +94,28 @@ export function levels(low: number, high: number, most: number): number[] {
 
 export type Pen = CanvasRenderingContext2D;
 
-export const font = (pen: Pen, size = 11, weight = 400): void => {
+/** Sets how texts are drawn. */
+export function setText(pen: Pen, size = 11, { weight = 400, align = "left" as CanvasTextAlign, base = "middle" as CanvasTextBaseline } = {}): void {
   pen.font = `${weight} ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
-};
+  pen.textAlign = align;
+  pen.textBaseline = base;
+}
+
+/** Draws the ground of a lane. */
+export function fillLane(pen: Pen, frame: Frame, { top, height }: Lane): void {
+  pen.fillStyle = colour("lane");
+  pen.fillRect(frame.left, top, frame.span, height);
+}
+
+/** Draws on a part of the canvas only. */
+export function drawClipped(pen: Pen, [x, y, width, height]: [number, number, number, number], draw: () => void): void {
+  pen.save();
+  pen.beginPath();
+  pen.rect(x, y, width, height);
+  pen.clip();
+  draw();
+  pen.restore();
+}
 
 /** Draws text, shortened to `room` [pixels]; draws nothing if fewer than three letters fit. */
 export function drawFitted(pen: Pen, text: string, x: number, y: number, room: number): void {

@@ -1,7 +1,6 @@
 // Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
-import { drawFitted, font } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawFitted, setText, type Frame, type Lane, type Pen } from "./frame.ts";
 
 export interface Interval {
   start: number;
@@ -73,9 +72,7 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.fillRect(from, top - 3, to - from, 3);
     if (label) bands.push({ x: from + PADDING_PX, label });
   }
-  font(pen, 10, 600);
-  pen.textAlign = "left";
-  pen.textBaseline = "middle";
+  setText(pen, 10, { weight: 600 });
   for (const { text, x, width, row } of tagsOf(bands, (label) => pen.measureText(label).width, right)) {
     const middle = frame.height - 4 - (row + 0.5) * ROW_PX;
     pen.globalAlpha = 0.85;
@@ -89,8 +86,8 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
   }
 }
 
-/** Draws a selected interval as a frame in a lane, beside which the lane is faded. */
-export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [start, end]: [number, number]): void {
+/** Draws a selected interval as a frame with a text in a lane, beside which the lane is faded. */
+export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [start, end]: [number, number], text: string): void {
   const right = frame.width - frame.right;
   const [from, to] = [start, end].map((time) => Math.min(right, Math.max(frame.left, frame.x(time)))) as [number, number];
   pen.fillStyle = colour("paper");
@@ -101,4 +98,7 @@ export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [st
   pen.strokeStyle = colour("accent");
   pen.lineWidth = 1.5;
   pen.strokeRect(from, top - 1, to - from, height + 2);
+  setText(pen, 10);
+  pen.fillStyle = colour("ink");
+  drawFitted(pen, text, from + 5, top + 7, Math.max(to, right) - from - 10);
 }

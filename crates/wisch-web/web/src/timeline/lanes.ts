@@ -2,15 +2,12 @@
 import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
-import { TRUTH_DASH, drawFitted, drawLine, font, ticks } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
 import type { Round } from "../round.ts";
 import type { Happening, Recording } from "../store.ts";
 
 export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
-  font(pen);
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
+  setText(pen, 11, { align: "center" });
   const { step, times } = ticks(frame.from, frame.to, Math.max(2, frame.span / 76));
   const digits = step < 0.1 ? 2 : step < 1 ? 1 : 0;
   for (const t of times) {
@@ -29,9 +26,7 @@ function clipInterval(frame: Frame, start: number, end: number, least = 1): [num
 }
 
 export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  font(pen, 11, 600);
-  pen.textAlign = "left";
-  pen.textBaseline = "middle";
+  setText(pen, 11, { weight: 600 });
   for (const round of recording.rounds) {
     const place = clipInterval(frame, round.start, round.end);
     if (!place) continue;
@@ -47,9 +42,7 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
 }
 
 export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  font(pen, 10.5);
-  pen.textAlign = "left";
-  pen.textBaseline = "middle";
+  setText(pen, 10.5);
   for (const { start, plan, length } of recording.rounds) {
     for (const phase of plan.phases) {
       const place = clipInterval(frame, start + phase.start, start + Math.min(phase.end, Math.max(length, phase.start)));
@@ -70,8 +63,7 @@ export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Record
 }
 
 export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  pen.fillStyle = colour("lane");
-  pen.fillRect(frame.left, lane.top, frame.span, lane.height);
+  fillLane(pen, frame, lane);
   for (const round of recording.rounds) {
     if (!clipInterval(frame, round.start, round.end)) continue;
     const { contact, pushed } = round.contacts;
@@ -90,12 +82,9 @@ export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recor
 /** Draws a push as a block with stripes, so that more than its colour tells it from contact. */
 function drawPushed(pen: Pen, lane: Lane, [from, to]: [number, number]): void {
   pen.fillRect(from, lane.top, to - from, lane.height);
-  pen.save();
-  pen.beginPath();
-  pen.rect(from, lane.top, to - from, lane.height);
-  pen.clip();
-  for (let x = from - lane.height; x < to; x += 5) drawLine(pen, x, lane.top + lane.height, x + lane.height, lane.top, "paper", 1.4);
-  pen.restore();
+  drawClipped(pen, [from, lane.top, to - from, lane.height], () => {
+    for (let x = from - lane.height; x < to; x += 5) drawLine(pen, x, lane.top + lane.height, x + lane.height, lane.top, "paper", 1.4);
+  });
 }
 
 /** Calls `draw` for each column of pixels with the index range of its samples. */
@@ -116,8 +105,7 @@ export const eventColour = ({ source, kind, byHand }: Happening): string =>
   source === "push" ? "actual" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  pen.fillStyle = colour("lane");
-  pen.fillRect(frame.left, lane.top, frame.span, lane.height);
+  fillLane(pen, frame, lane);
   const middle = lane.top + lane.height / 2;
   for (const event of recording.happenings) {
     const place = clipInterval(frame, event.start, event.end, 3);

@@ -2,8 +2,7 @@
 import { fixed } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { forEachPixel } from "./lanes.ts";
-import { PREDICTED_DASH, drawLine, font, levels } from "./frame.ts";
-import type { Frame, Lane, Pen } from "./frame.ts";
+import { drawClipped, drawLine, levels, PREDICTED_DASH, setText, type Frame, type Lane, type Pen } from "./frame.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
 import type { Round } from "../round.ts";
@@ -14,9 +13,7 @@ type Scale = (value: number) => number;
 /** Draws the axis and grid of a plot; returns its scale. */
 function drawScale(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, most: number, shown: (value: number) => string): Scale {
   const y = (value: number) => lane.top + lane.height - ((value - low) / (high - low)) * lane.height;
-  font(pen, 10);
-  pen.textAlign = "right";
-  pen.textBaseline = "middle";
+  setText(pen, 10, { align: "right" });
   for (const value of levels(low, high, most)) {
     drawLine(pen, frame.left, y(value), frame.width - frame.right, y(value), Math.abs(value) < 1e-12 ? "rule" : "grid");
     pen.fillStyle = colour("quiet");
@@ -25,14 +22,8 @@ function drawScale(pen: Pen, frame: Frame, lane: Lane, low: number, high: number
   return y;
 }
 
-function drawClipped(pen: Pen, frame: Frame, lane: Lane, draw: () => void): void {
-  pen.save();
-  pen.beginPath();
-  pen.rect(frame.left - 1, lane.top - 2, frame.span + 2, lane.height + 4);
-  pen.clip();
-  draw();
-  pen.restore();
-}
+/** Returns where the curves of a plot are. */
+const plotArea = (frame: Frame, { top, height }: Lane): [number, number, number, number] => [frame.left - 1, top - 2, frame.span + 2, height + 4];
 
 /** Draws a measured column of all rounds; `unit` converts its values to shown values. */
 export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Recording, of: (round: Round) => PlotColumn, look: { name: string; unit: number; least: number; bounds?: [number, number]; target?: (round: Round) => number | null }): void {
@@ -46,7 +37,7 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
   const room = 0.06 * (high - low);
   const y = drawScale(pen, frame, lane, low < 0 ? low - room : 0, high + room, 3, (value) => String(Number(value.toPrecision(3))).replace("-", "\u2212"));
   let labelled: number | null = null;
-  drawClipped(pen, frame, lane, () => {
+  drawClipped(pen, plotArea(frame, lane), () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
       const target = look.target?.(round) ?? null;
@@ -102,7 +93,7 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
   const target = recording.head?.task?.target;
   const right = frame.width - frame.right;
-  drawClipped(pen, frame, lane, () => {
+  drawClipped(pen, plotArea(frame, lane), () => {
     if (target !== undefined) drawTarget(pen, [frame.left, right], y(target), `target ${Math.round(100 * target)}\u202f%`, target <= 0.8);
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
@@ -122,10 +113,8 @@ function drawTarget(pen: Pen, [from, to]: [number, number], y: number, label: st
   pen.setLineDash([6, 4]);
   drawLine(pen, from, y, to, y, "target", 1.5);
   pen.setLineDash([]);
-  font(pen, 10);
+  setText(pen, 10, { base: isAbove ? "bottom" : "top" });
   pen.fillStyle = colour("target");
-  pen.textAlign = "left";
-  pen.textBaseline = isAbove ? "bottom" : "top";
   pen.fillText(label, from + 5, y + (isAbove ? -2 : 3));
 }
 
