@@ -63,7 +63,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Scenarios(args) => scenarios::scenarios(args),
-        Command::Schema => new::schema(),
+        Command::Schema(args) => new::schema(args),
         Command::Completions(args) => shell::completions(args),
         Command::Man(args) => shell::man(args),
         Command::Check(args) => check::check(args, &cli.global),
