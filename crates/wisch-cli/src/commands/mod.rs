@@ -50,6 +50,8 @@ const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
 
 /// Runs the command of the command line.
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
+    // Before any file is written, so that a signal leaves no files behind.
+    interrupt::listen()?;
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
         Command::Studio(args) => studio::studio(args, &cli.global),
