@@ -7,6 +7,7 @@ mod fleet;
 mod learn;
 mod log;
 mod memory;
+mod present;
 mod robot;
 mod surface;
 mod values;
@@ -24,6 +25,7 @@ pub use memory::{
     DEFAULT_MEMORY, EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand,
     MemoryListArgs, MemoryVerifyArgs,
 };
+pub use present::{options_for, suggest};
 pub use robot::{
     RobotCheckArgs, RobotCommand, RobotDoctorArgs, RobotFakeArgs, RobotMapArgs, RobotPushTestArgs,
     RobotSetupArgs,
@@ -84,7 +86,9 @@ impl Cli {
             ColorChoice::Never => clap::ColorChoice::Never,
         });
         let matches = command.try_get_matches_from(args)?;
-        Self::from_arg_matches(&matches)
+        let read = Self::from_arg_matches(&matches)?;
+        present::keep(matches);
+        Ok(read)
     }
 }
 
@@ -271,7 +275,7 @@ Examples:
 
 An editor with a TOML plug-in (Taplo, Even Better TOML) reads the schema named in a task file's first line:
   #:schema wisch-task.schema.json")]
-    Schema,
+    Schema(SchemaArgs),
     /// Print a shell completion script for wisch
     #[command(after_help = "\
 Examples:
@@ -499,6 +503,9 @@ pub struct ReportArgs {
     /// Format of the log.
     #[command(flatten)]
     pub reading: LogArgs,
+    /// Print one JSON object instead of the name of the file
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// The robot and its files.
@@ -574,6 +581,17 @@ pub struct NewArgs {
     /// Overwrite an existing file
     #[arg(long, requires = "file")]
     pub force: bool,
+    /// Print one JSON object instead of the text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `schema`.
+#[derive(Debug, Args)]
+pub struct SchemaArgs {
+    /// Print the schema as one line; it is one JSON object either way
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `scenarios`.
@@ -585,6 +603,9 @@ pub struct ScenariosArgs {
     /// Write the task file and the files that it names, such as a mesh, to this folder
     #[arg(long, value_name = "FOLDER", value_hint = ValueHint::DirPath, requires = "name")]
     pub out: Option<PathBuf>,
+    /// Print one JSON object instead of the text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `completions`.
@@ -611,6 +632,9 @@ pub struct CheckArgs {
     /// The robot.
     #[command(flatten)]
     pub robot: RobotArgs,
+    /// Print one JSON object instead of the summary
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Reads `--color` before the command line is parsed, because the parser's own messages need it.

@@ -27,6 +27,9 @@ static JSON: AtomicBool = AtomicBool::new(false);
 /// Whether a result was printed.
 static PRINTED: AtomicBool = AtomicBool::new(false);
 
+/// Whether a signal ends the program, so that errors which this causes are not shown.
+static HELD_BACK: AtomicBool = AtomicBool::new(false);
+
 const EXIT_DONE: u8 = 0;
 const EXIT_GOAL_NOT_MET: u8 = 1;
 const EXIT_ERROR: u8 = 2;
@@ -49,7 +52,14 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
         complain(&escape_controls(&format!("{error}\n  help: {help}")));
     }));
     // Unwinding drops the unfinished output folders, which removes them; an exit from the hook would leave them.
-    match panic::catch_unwind(AssertUnwindSafe(program)) {
+    let ended = panic::catch_unwind(AssertUnwindSafe(program));
+    if HELD_BACK.load(Ordering::SeqCst) {
+        // The thread that handles the signal ends the program.
+        loop {
+            std::thread::park();
+        }
+    }
+    match ended {
         Ok(Ok(Outcome::Done)) => EXIT_DONE,
         Ok(Ok(Outcome::GoalNotMet)) => EXIT_GOAL_NOT_MET,
         Ok(Err(failure)) => {
@@ -58,6 +68,11 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
         }
         Err(_) => EXIT_ERROR,
     }
+}
+
+/// Lets the program end only by the thread that handles a signal, and not with the command.
+pub fn hold_back() {
+    HELD_BACK.store(true, Ordering::SeqCst);
 }
 
 /// Sets up colours and threads.
@@ -132,6 +147,12 @@ pub fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints a record as one JSON object on one line.
+pub fn print_json(record: &impl serde::Serialize) -> Result<(), Failure> {
+    let line = serde_json::to_string(record).map_err(Failure::new)?;
+    print(&(line + "\n"))
 }
 
 /// Prints a note on standard error, unless `--quiet` is given.

@@ -142,11 +142,7 @@ fn a_damaged_episode_is_left_out_unless_it_is_named() {
         folder.path(),
         &["memory", "export", "--neem", "neem", "--json"],
     );
-    assert_eq!(code, 0, "{err}");
-    assert!(
-        err.contains("first") && err.contains("the episode is left out"),
-        "{err}"
-    );
+    assert_eq!((code, err.as_str()), (1, ""), "{out}");
     let report: serde_json::Value = serde_json::from_str(&out).expect("one JSON object");
     assert_eq!(report["episodes"], 1);
     assert_eq!(report["left_out"].as_array().map(Vec::len), Some(1));
@@ -174,4 +170,32 @@ fn wrong_input_leaves_no_folder() {
         let left = fs::read_dir(folder.path()).expect("a folder").count();
         assert_eq!(left, 1, "{asked:?} leaves only the memory");
     }
+}
+
+#[test]
+fn an_episode_that_is_left_out_is_named_with_the_reason() {
+    let folder = memory();
+    let changed = folder.path().join("episodes/first/task.toml");
+    let memory = Memory::create(&folder.path().join("episodes")).expect("a memory");
+    memory.forget("first").expect("an episode");
+    let writer = memory.begin("first").expect("an episode");
+    writer.attach("task.toml", "seed = 1").expect("a file");
+    writer.commit(&record("first")).expect("an episode");
+    fs::write(&changed, "seed = 2").expect("a file");
+    let export = |more: &[&str]| {
+        let args = [&["memory", "export", "--neem", "neem"], more].concat();
+        let ended = wisch(folder.path(), &args);
+        fs::remove_dir_all(folder.path().join("neem")).expect("a NEEM");
+        ended
+    };
+    let (code, out, err) = export(&[]);
+    assert_eq!((code, err.as_str()), (1, ""), "{out}");
+    assert!(
+        out.contains("left out: episodes/first/task.toml: "),
+        "{out}"
+    );
+    let (code, out, _) = export(&["--json"]);
+    let report: serde_json::Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!((code, &report["episodes"]), (1, &1.into()));
+    assert_eq!(report["left_out"].as_array().map(Vec::len), Some(1));
 }

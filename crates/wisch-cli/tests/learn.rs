@@ -13,7 +13,7 @@ use wisch_memory::{Memory, neem};
 use wisch_telemetry::{BagHead, BagWriter, LogOptions, ObservationTime, read};
 
 /// A board that is wiped with a sponge by a robot that looks.
-const TASK: &str = r#"
+pub const TASK: &str = r#"
 schema = 1
 name = "NAME"
 seed = 1
@@ -51,15 +51,27 @@ const RUNS: [&str; 6] = ["first", "second", "blind", "other", "few", "third"];
 
 /// A round in which the sponge strokes once along the middle of the board with 10 N, and takes every crumb up but those that
 /// stay.
-fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
+pub fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
+    write_bag_of_force(path, task, looks, Some("10"));
+}
+
+/// The same, with another nominal press force in its notes, or none.
+pub fn write_bag_of_force(
+    path: &Path,
+    task: &str,
+    looks: [Option<&Observation>; 2],
+    press_force_n: Option<&str>,
+) {
     let world_from_surface = Pose::translation(BOARD[0], BOARD[1], BOARD[2]);
     let file = path.to_str().unwrap();
     let run = RUNS.iter().position(|run| file.contains(run));
     let beside = 1e-4 * run.map_or(0.0, |run| run as f64);
     let head = BagHead {
         notes: [("task", task), ("round", "1")]
+            .into_iter()
+            .chain(press_force_n.map(|force| ("press_force_n", force)))
             .map(|(key, value)| (key.to_owned(), value.to_owned()))
-            .into(),
+            .collect(),
         ..BagHead::from_surface_pose(world_from_surface)
     };
     let mut bag = BagWriter::create(path, head).unwrap();
@@ -104,7 +116,7 @@ fn write_bag(path: &Path, task: &str, looks: [Option<&Observation>; 2]) {
 }
 
 /// Crumbs in a row under the sponge's way, of which every `nth` stays.
-fn looks(nth: usize) -> [Observation; 2] {
+pub fn looks(nth: usize) -> [Observation; 2] {
     let before: Vec<Point2> = (0..16)
         .map(|i| Point2::new(0.02 * f64::from(i) - 0.15, 0.0))
         .collect();

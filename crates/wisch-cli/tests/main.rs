@@ -11,9 +11,12 @@ mod export;
 mod fleet;
 mod follow;
 mod interpret;
+#[cfg(unix)]
+mod interrupted;
 #[cfg(target_os = "linux")]
 mod kills;
 mod learn;
+mod learn_pools;
 mod lock_files;
 mod memory;
 mod memory_faults;

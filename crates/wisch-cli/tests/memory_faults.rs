@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
-use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin, episode_id};
+use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Memory, Origin, Value, episode_id};
 
 const YEAR: f64 = 31_557_600.0;
 const RUN: [&str; 8] = [
@@ -74,11 +74,13 @@ fn an_episode_is_dated_by_the_clock_whatever_others_are_dated() {
         let ids = memory.episodes().unwrap();
         let id = ids.iter().find(|id| **id != other).expect("a new episode");
         let record = memory.episode(id).unwrap().record().unwrap();
-        assert!(
-            record.interval[1] <= now() && record.interval[1] >= before,
-            "{:?}",
-            record.interval
-        );
+        let [began, ended] = record.interval;
+        assert!(before <= began && began <= now(), "{began}");
+        // The robot's time counts from there, and the clock's is stated, too.
+        assert_eq!(record.rounds, [began]);
+        assert!(ended > began, "{ended}");
+        let values = &record.individuals[0].values;
+        assert_eq!(values["semco:clockBegin"], Value::Number(began));
         let says = format!("episode {other} is dated ");
         assert_eq!(err.contains(&says), is_told, "{err}");
         if is_told {

@@ -107,7 +107,7 @@ fn what_is_for_one_patch_is_refused_for_all() {
     write_task(folder.path(), "");
     refused(
         &["predict", "saddle.toml"],
-        "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius 0.06",
+        "surface.mesh.patch takes a part of it, see wisch surface split ",
     );
     write_task(folder.path(), ", patch = \"all\"");
     refused(

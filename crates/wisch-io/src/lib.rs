@@ -32,10 +32,10 @@ pub use load::{
     wipes_all_patches,
 };
 pub use output::{
-    FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, OutputFile, OutputFolder,
+    FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, NewFolder, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
     PLAN_FILE, RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, Replaceable, TCP_PATH_FILE,
-    TRAJECTORY_FILE, path_in_results, round_file_name,
+    TRAJECTORY_FILE, Unfinished, path_in_results, remove_unfinished, round_file_name,
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,

@@ -21,7 +21,9 @@ use wisch::run::{Ending, PlannedRound};
 pub struct EpisodeHeader {
     /// Name of the episode, as [`episode_id`](crate::episode_id) returns it.
     pub id: String,
-    /// Begin of the episode [s since 1970].
+    /// Name of the task.
+    pub task: String,
+    /// Begin of the run by the clock of its machine [s since 1970].
     pub start: f64,
     /// Estimated performance at which the goal counts as met \[1\].
     pub target: f64,
@@ -32,19 +34,27 @@ pub struct EpisodeHeader {
 }
 
 impl EpisodeHeader {
-    /// Returns the header of an episode that begins at a time [s since 1970], which also gives its name.
+    /// Returns the header of an episode of a task that begins at a time [s since 1970], which also gives its name.
     ///
     /// ```
+    /// # use wisch::prelude::*;
+    /// # let outline = Polygon::rectangle(Vector2::new(0.4, 0.3));
+    /// # let surface = Surface::new("tray", outline, Pose::identity());
+    /// # let sponge = Tool::pad("sponge", Vector3::new(0.07, 0.11, 0.05))?;
+    /// # let crumbs = ParticleDistribution::new(&[Point2::new(-0.1, 0.05)])?;
+    /// # let task = Task::new(Action::Absorb, surface, sponge, "crumbs", crumbs);
     /// use wisch_memory::EpisodeHeader;
-    /// let header = EpisodeHeader::new(1_795_309_772.5, 0.95, 7, "my program 1.0");
+    /// let header = EpisodeHeader::new(1_795_309_772.5, &task, 0.95, "my program 1.0");
     /// assert_eq!(header.id, "20261122-010932-0000");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(start: f64, target: f64, seed: u64, program: &str) -> Self {
+    pub fn new(start: f64, task: &Task, target: f64, program: &str) -> Self {
         Self {
             id: episode_id(start, 0),
+            task: task.name.clone(),
             start,
             target,
-            seed,
+            seed: task.seed,
             program: program.to_owned(),
         }
     }
@@ -71,15 +81,14 @@ pub struct EpisodeRound<'a> {
 
 /// Returns the record of an episode: the actions of each round, the detected events, and the results.
 ///
-/// Rounds follow each other without pauses: their times are the robot's, not the computer's.
+/// The episode begins when the run began. From there, rounds follow each other without pauses: within the episode, times are
+/// the robot's, not the computer's. An episode without a round lasts no time.
 pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeRecord {
     let mut record = RecordBuilder {
         individuals: Vec::new(),
         time: header.start,
         starts: Vec::new(),
     };
-    let task = rounds.first().map(|round| &round.motion.task);
-    let name = task.map_or_else(String::new, |task| task.name.clone());
     record.add("semco:WipingEpisode", None);
     if let (Some(first), Some(last)) = (rounds.first(), rounds.last()) {
         let action = record.add("semco:WipingAction", Some(0));
@@ -98,12 +107,12 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
     let interval = [header.start, record.time];
     let episode = &mut record.individuals[0];
     episode.interval = Some(interval);
-    episode.set_text("semco:taskName", &name);
+    episode.set_text("semco:taskName", &header.task);
     episode.set_number("semco:seed", header.seed as f64);
     EpisodeRecord {
         schema: EPISODE_SCHEMA,
         id: header.id.clone(),
-        task: name,
+        task: header.task.clone(),
         interval,
         origin: Origin::Simulated,
         program: header.program.clone(),

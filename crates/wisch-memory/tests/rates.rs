@@ -103,7 +103,7 @@ impl Motion {
         let believed = Belief::from_particles(task.particles.clone());
         let estimate = interpret(&samples, &task, &believed, &goal, &config);
         let estimate = estimate.expect("an interpretation");
-        let header = EpisodeHeader::new(1_795_309_772.5, 0.95, 1, "test");
+        let header = EpisodeHeader::new(1_795_309_772.5, &task, 0.95, "test");
         let duration = samples.last().map_or(0.0, |sample| sample.time);
         remember_log(&header, "log.csv", duration, &task, &goal, &estimate)
     }

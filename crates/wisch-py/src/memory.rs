@@ -234,6 +234,7 @@ impl PyMemory {
             memory: self.folder.clone(),
             executor: session.executor(),
             names: None,
+            clock: Some(session.clock()),
         };
         let mut sink = EpisodeSink::begin(target)
             .map_err(refused)?

@@ -28,7 +28,7 @@ use wisch::run::{
     RunError, RunEvent, SampleSink, Session, Stage,
 };
 use wisch_io::{EventWriter, ExecutedBy, LoadedTask, Robot, RobotFiles};
-use wisch_record::{RecordError, RunRecord};
+use wisch_record::{RecordError, RunClock, RunRecord};
 
 /// Program name in results and episodes.
 pub const PROGRAM: &str = concat!("wisch-py ", env!("CARGO_PKG_VERSION"));
@@ -72,6 +72,8 @@ pub struct PySession {
     executor: Mutex<Option<String>>,
     /// The executor that is prepared for motions.
     prepared: PreparedExecutor,
+    /// When the session began.
+    clock: RunClock,
 }
 
 /// Stored results of a session.
@@ -213,7 +215,13 @@ impl PySession {
             kept: Mutex::default(),
             executor: Mutex::default(),
             prepared: Arc::default(),
+            clock: RunClock::start(),
         }
+    }
+
+    /// When the session began, by this machine's clocks.
+    pub const fn clock(&self) -> RunClock {
+        self.clock
     }
 
     /// Returns the files of the robot that wipes.

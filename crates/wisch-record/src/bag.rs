@@ -133,6 +133,7 @@ impl BagSink {
             ("task", task.name.clone()),
             ("round", planned.number.to_string()),
             ("seed", task.seed.to_string()),
+            ("press_force_n", task.interaction.press_force_n.to_string()),
         ];
         let mesh = match &task.surface.shape {
             SurfaceShape::Mesh(mesh) => Some(("surface_mesh", format!("{:032x}", mesh.digest()))),

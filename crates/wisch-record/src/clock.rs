@@ -1,6 +1,6 @@
 //! The machine's clock, and remarks on implausible times.
 
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
 use wisch_memory::{Memory, local_date_and_time};
 
 /// Minimum difference of two clocks for a remark [s].
@@ -10,6 +10,34 @@ const MIN_DIFFERENCE: f64 = 60.0;
 pub fn unix_time() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
+}
+
+/// The time at which a run began, by both clocks of this machine.
+#[derive(Debug, Clone, Copy)]
+pub struct RunClock {
+    /// By the clock that can be set [s since 1970, UTC].
+    begin: f64,
+    monotonic: Instant,
+}
+
+impl RunClock {
+    /// Returns the clock of a run that begins now.
+    pub fn start() -> Self {
+        Self {
+            begin: unix_time(),
+            monotonic: Instant::now(),
+        }
+    }
+
+    /// Begin of the run by the machine's clock [s since 1970, UTC].
+    pub const fn begin(&self) -> f64 {
+        self.begin
+    }
+
+    /// Returns the time since the run began, by the monotonic clock \[s\].
+    pub fn elapsed(&self) -> f64 {
+        self.monotonic.elapsed().as_secs_f64()
+    }
 }
 
 /// Returns a remark if the memory's last episode begins after `now` [s since 1970]: the clock was fast then or is slow now.

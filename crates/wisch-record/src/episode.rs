@@ -2,7 +2,7 @@
 
 use crate::bag::Seen;
 use crate::bag_copy::BagCopy;
-use crate::clock::{clock_change_remark, future_episode_remark, unix_time};
+use crate::clock::{RunClock, clock_change_remark, future_episode_remark, unix_time};
 use crate::error::{RecordError, internal};
 use crate::results::FinishedRound;
 use crate::sink::{RunSink, SinkError};
@@ -17,7 +17,7 @@ use wisch::represent::Observation;
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{
     LoadedTask, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE,
-    PlanRecord, RobotFiles, particles_to_csv,
+    PlanRecord, RobotFiles, Unfinished, particles_to_csv,
 };
 use wisch_memory::{
     EpisodeHeader, EpisodeRecord, EpisodeRound, EpisodeWriter, Memory, MemoryError, Origin,
@@ -39,6 +39,8 @@ pub struct EpisodeTarget {
     pub executor: Option<String>,
     /// File with the names of the run's episodes, one per line. A resumed run replaces these episodes by its own.
     pub names: Option<PathBuf>,
+    /// When the run began; `None` for a run that begins with its episode.
+    pub clock: Option<RunClock>,
 }
 
 /// A sink that keeps a run as an episode. It writes telemetry during execution, or in a [`RunRecord`](crate::RunRecord)
@@ -51,9 +53,8 @@ pub struct EpisodeSink {
     executor: Option<String>,
     /// Whether events arrive at the time at which they happen.
     is_live: bool,
-    /// Start of the run by this machine's clock [s since 1970], and by the monotonic clock.
-    clock_begin: f64,
-    since: Instant,
+    /// Begin of the run by this machine's clocks.
+    clock: RunClock,
     /// Start of the current round's execution, and durations of executed rounds by the clock [s].
     executing: Option<Instant>,
     executed: BTreeMap<usize, f64>,
@@ -63,6 +64,7 @@ pub struct EpisodeSink {
     names: Option<PathBuf>,
     earlier: Vec<String>,
     writer: EpisodeWriter,
+    unfinished: Unfinished,
     telemetry: Option<TelemetryWriter>,
     /// Whether the telemetry of a round is taken from its bag, and that of the current round.
     has_bags: bool,
@@ -113,27 +115,29 @@ impl EpisodeSink {
             memory: folder,
             executor,
             names,
+            clock,
         } = target;
         let memory = Memory::create(&folder)?;
-        let clock_begin = unix_time();
+        let clock = clock.unwrap_or_else(RunClock::start);
         let earlier = names.as_deref().map(read_names).unwrap_or_default();
         // Programs that start in the same second rarely share the last digits of their process ids.
-        let writer = begin_episode(&memory, clock_begin, std::process::id() as u16)?;
+        let (writer, unfinished) =
+            begin_episode(&memory, clock.begin(), std::process::id() as u16)?;
         Ok(Self {
             place: folder.join(writer.id()),
-            clock_begin,
-            since: Instant::now(),
+            clock,
             executor,
             is_live: true,
             executing: None,
             executed: BTreeMap::new(),
-            clock_remarks: future_episode_remark(&memory, clock_begin)
+            clock_remarks: future_episode_remark(&memory, clock.begin())
                 .into_iter()
                 .collect(),
             names,
             earlier,
             memory,
             writer,
+            unfinished,
             telemetry: None,
             has_bags: false,
             copy: None,
@@ -229,7 +233,7 @@ impl EpisodeSink {
             copy.abandon();
         }
         let durations = self.durations(finished);
-        let start = self.start(durations.iter().sum());
+        self.check_clock();
         attach_task(&self.writer, loaded)?;
         if let Some(recording) = recording {
             self.writer.attach(RECORDING_FILE, recording)?;
@@ -259,7 +263,8 @@ impl EpisodeSink {
         }
         let header = EpisodeHeader {
             id: self.writer.id().to_owned(),
-            start,
+            task: loaded.task.name.clone(),
+            start: self.clock.begin(),
             target: loaded.run.target,
             seed: loaded.run.plan.seed,
             program: program.to_owned(),
@@ -289,7 +294,8 @@ impl EpisodeSink {
         if let Some(program) = self.executor {
             record.origin = Origin::Executor(program);
         }
-        self.writer.commit(&record)?;
+        let writer = self.writer;
+        self.unfinished.place(|| writer.commit(&record))?;
         for id in &self.earlier {
             // The killed run's episode holds no more rounds than this one, which replaces it.
             match self.memory.forget(id) {
@@ -378,22 +384,18 @@ impl EpisodeSink {
         durations
     }
 
-    /// Returns the start of the episode [s since 1970], moved back so that the episode ends by now: a simulated world is
-    /// faster than the clock.
-    fn start(&mut self, duration: f64) -> f64 {
-        let clock_duration = self.since.elapsed().as_secs_f64();
-        let set_by = unix_time() - self.clock_begin - clock_duration;
+    /// Adds a remark if this machine's clock was set during the run.
+    fn check_clock(&mut self) {
+        let set_by = unix_time() - self.clock.begin() - self.clock.elapsed();
         self.clock_remarks.extend(clock_change_remark(set_by));
-        // start = clock start + min(0, elapsed - duration)
-        self.clock_begin + (clock_duration - duration).min(0.0)
     }
 
     /// Adds the clock's times and the missing telemetry to the record.
     fn annotate(&self, record: &mut EpisodeRecord) {
         let values = &mut record.individuals[0].values;
-        let clock_duration = self.since.elapsed().as_secs_f64();
-        values.insert("semco:clockBegin".into(), Value::Number(self.clock_begin));
-        values.insert("semco:clockDuration".into(), Value::Number(clock_duration));
+        let [begin, duration] = [self.clock.begin(), self.clock.elapsed()].map(Value::Number);
+        values.insert("semco:clockBegin".into(), begin);
+        values.insert("semco:clockDuration".into(), duration);
         if !self.clock_remarks.is_empty() {
             let remarks = self.clock_remarks.join("; ");
             values.insert("semco:clockRemark".into(), Value::Text(remarks));
@@ -482,7 +484,7 @@ fn observations(finished: &FinishedRound, before: Option<&Seen>) -> RoundObserva
     }
 }
 
-/// Begins an episode under the first free name.
+/// Begins an episode under the first free name, which an interruption removes until the returned guard is dropped.
 ///
 /// # Parameters
 /// - `start`: start of the episode [s since 1970], which its name states.
@@ -494,12 +496,17 @@ pub fn begin_episode(
     memory: &Memory,
     start: f64,
     first: u16,
-) -> Result<EpisodeWriter, MemoryError> {
+) -> Result<(EpisodeWriter, Unfinished), MemoryError> {
+    let begin = |salt| {
+        let writer = memory.begin(&episode_id(start, first.wrapping_add(salt)))?;
+        let paths = writer.unfinished_paths().to_vec();
+        Ok::<_, MemoryError>((writer, paths))
+    };
     for salt in 0..NAMES_TRIED {
-        match memory.begin(&episode_id(start, first.wrapping_add(salt))) {
+        match Unfinished::create(|| begin(salt)) {
             Err(MemoryError::Exists { .. }) => {}
             begun => return begun,
         }
     }
-    memory.begin(&episode_id(start, first))
+    Unfinished::create(|| begin(0))
 }

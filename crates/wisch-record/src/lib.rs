@@ -31,7 +31,7 @@ mod stages;
 mod words;
 
 pub use bag::{BagSink, bag_name};
-pub use clock::unix_time;
+pub use clock::{RunClock, unix_time};
 pub use episode::{EpisodeSink, EpisodeTarget, KeptEpisode, attach_task, begin_episode};
 pub use error::RecordError;
 pub use events::EventSink;

@@ -13,7 +13,8 @@ use wisch::run::RunEvent;
 use wisch_io::{LoadedTask, Robot, shell_word, shipped_scenarios};
 use wisch_memory::live_path;
 use wisch_report::{
-    EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome, UnexecutedPlan,
+    CommandOptions, EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome,
+    UnexecutedPlan,
 };
 
 /// A sink that writes the recording for a run's page into memory, and optionally into a file that live pages read.
@@ -21,6 +22,7 @@ use wisch_report::{
 pub struct PageSink {
     writer: RecordingWriter<Outputs>,
     remarks: Vec<String>,
+    options: Option<CommandOptions>,
 }
 
 /// The output of a recording: a buffer, and the file of the live page.
@@ -137,7 +139,17 @@ impl PageSink {
             appearance: appearance.as_ref(),
         };
         writer.begin(&head).map_err(internal)?;
-        Ok(Self { writer, remarks })
+        Ok(Self {
+            writer,
+            remarks,
+            options: None,
+        })
+    }
+
+    /// Sets the options of the run beside its task, with which the page suggests commands.
+    #[must_use]
+    pub fn with_options(self, options: Option<CommandOptions>) -> Self {
+        Self { options, ..self }
     }
 
     /// Takes the predicted effect of the first round over time; `None` for a plan without strokes.
@@ -225,6 +237,7 @@ impl PageSink {
                 truth: last.and_then(|last| last.truth.as_ref()?.performance),
                 facts: &facts_of(loaded, results),
                 task_arguments: name_task(loaded).as_deref(),
+                options: self.options.as_ref(),
                 after_stop: loaded.run.after_stop,
             },
             episode,

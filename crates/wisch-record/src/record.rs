@@ -15,6 +15,7 @@ use wisch::follow::WorkcellConfig;
 use wisch::represent::Observation;
 use wisch::run::{RunEvent, Session};
 use wisch_io::{ExecutedBy, Leftover, LoadedTask, OutputFolder, Replaceable, Robot};
+use wisch_report::CommandOptions;
 use wisch_telemetry::active_path;
 
 /// Settings of a run's record: the parts to keep, and their locations.
@@ -34,6 +35,8 @@ pub struct RecordOptions {
     pub is_live: bool,
     /// Planning groups and pose of the robot; `None` uses those of the task.
     pub workcell: Option<WorkcellConfig>,
+    /// Options of the run beside its task, with which the page suggests commands; `None` if they are unknown.
+    pub options: Option<CommandOptions>,
 }
 
 /// The record of a run: a bag of each round, the recording for the page, an episode, and the folder of results.
@@ -51,7 +54,7 @@ pub struct RecordOptions {
 ///     episode: Some(EpisodeTarget {
 ///         memory: "episodes".into(),
 ///         executor: Some("my robot".to_owned()),
-///         names: None,
+///         ..EpisodeTarget::default()
 ///     }),
 ///     ..RecordOptions::default()
 /// };
@@ -115,6 +118,7 @@ impl RunRecord {
             episode,
             is_live,
             workcell,
+            options,
         } = options;
         let folder = out
             .map(|out| OutputFolder::begin(&out, Leftover::Remove, Replaceable::All))
@@ -129,7 +133,8 @@ impl RunRecord {
                 PageSink::begin_live(loaded, &program, performer, place)?
             }
             None => PageSink::begin(loaded, &program, performer)?,
-        };
+        }
+        .with_options(options);
         let bags = bags.or_else(|| {
             let bag = folder.as_ref()?.file_path(&bag_name(1));
             bag.parent().map(PathBuf::from)
@@ -209,7 +214,9 @@ impl RunRecord {
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         // This sink only measures time and cannot fail.
         let _ = self.stages.on_event(event);
-        if let Err(error) = self.page.on_event(event) {
+        // A failure, and no operator, ended such a session.
+        let is_failing = matches!(event, RunEvent::Ended(None)) && self.failure.is_some();
+        if !is_failing && let Err(error) = self.page.on_event(event) {
             self.fail(internal(format!("a recording cannot be written: {error}")));
         }
         let more = self.more.on_event(event);

@@ -73,8 +73,9 @@ pub use patches::{
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};
 pub use recording::{
-    LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask, RECORDING_SCHEMA,
-    RecordingHead, RecordingWriter, RoundTruth, RunFact, RunOutcome, UnexecutedPlan,
+    CommandOptions, LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask,
+    RECORDING_SCHEMA, RecordingHead, RecordingWriter, RoundTruth, RunFact, RunOutcome,
+    UnexecutedPlan,
 };
 pub use rounds::{RoundView, RoundsInput};
 pub use sheet::{SheetInput, sheet_drawing};

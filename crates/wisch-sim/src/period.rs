@@ -14,7 +14,7 @@ use wisch::follow::{Followed, FollowerLimit, Phase, TrajectorySample, Workcell};
 use wisch::geometry::{Point3, Pose, Vector3};
 use wisch::random::normal;
 use wisch::represent::Task;
-use wisch::robot::{Articulation, ArticulationState, Range};
+use wisch::robot::{Articulation, ArticulationState, JointKind, Range};
 use wisch::run::{
     Ending, Execution, MotionOrder, SampleSink, SampleStatus, StopCause, TelemetrySample, Wrench,
 };
@@ -347,7 +347,12 @@ impl<'a> Simulation<'a> {
             let k = moving.iter().position(|&moving| moving == variable);
             k.map_or(0.0, |k| self.qd[k])
         };
-        if let Some(cause) = find_overspeed(self.cell.limits().followers(), velocity_of) {
+        let kind_of = |name: &str| {
+            let mut joints = self.cell.robot().joints().iter();
+            let joint = joints.find(|joint| joint.name == name);
+            joint.map_or(JointKind::Revolute, |joint| joint.kind)
+        };
+        if let Some(cause) = find_overspeed(self.cell.limits().followers(), velocity_of, kind_of) {
             return Some(cause);
         }
         let limits = self.cell.limits().joints();
@@ -360,6 +365,7 @@ impl<'a> Simulation<'a> {
                     joint: joint.name.clone(),
                     velocity: self.qd[k],
                     limit,
+                    kind: joint.kind,
                 });
             }
             let range = joint.limits.position;
@@ -371,6 +377,7 @@ impl<'a> Simulation<'a> {
                     joint: joint.name.clone(),
                     position: self.q[k],
                     limits,
+                    kind: joint.kind,
                 });
             }
         }
@@ -547,10 +554,12 @@ impl<'a> Simulation<'a> {
     }
 }
 
-/// Returns why a joint that follows others is too fast, given the velocities of the robot's variables [rad/s or m/s].
+/// Returns why a joint that follows others is too fast, given the velocities of the robot's variables [rad/s or m/s] and
+/// the kind of a joint by its name.
 fn find_overspeed(
     followers: &[FollowerLimit],
     velocity_of: impl Fn(usize) -> f64,
+    kind_of: impl Fn(&str) -> JointKind,
 ) -> Option<StopCause> {
     followers.iter().find_map(|FollowerLimit { limit, drive }| {
         let terms = drive.terms.iter();
@@ -562,6 +571,7 @@ fn find_overspeed(
             joint: limit.name.clone(),
             velocity,
             limit: most,
+            kind: kind_of(&limit.name),
         })
     })
 }
@@ -593,13 +603,18 @@ mod tests {
         };
         let followers = [FollowerLimit { limit, drive }];
         // Each variable alone is within its limit.
-        let stop = |qd: [f64; 3]| find_overspeed(&followers, |variable| qd[variable]);
+        let stop = |qd: [f64; 3]| {
+            find_overspeed(&followers, |variable| qd[variable], |_| JointKind::Revolute)
+        };
         assert_eq!(stop([9.0, 2.0, 1.9]), None);
         let expected = StopCause::Overspeed {
             joint: "torso_4".to_owned(),
             velocity: -4.5,
             limit: 4.0,
+            kind: JointKind::Revolute,
         };
+        let text = "joint \"torso_4\" moves at -4.50 rad/s, more than the limit of 4.00 rad/s";
+        assert_eq!(expected.to_string(), text);
         assert_eq!(stop([0.0, 2.0, 2.5]), Some(expected));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::quantity::QuantityError;
 use super::ros2::{MessageError, SchemaError};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Why telemetry could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -67,6 +67,17 @@ pub enum WriteError {
         /// Number of joints in the bag.
         joints: usize,
     },
+}
+
+impl WriteError {
+    /// Returns the error of a bag; an error of the operating system, such as a full disk, in its own words.
+    pub(crate) fn of_mcap(path: &Path, error: mcap::McapError) -> Self {
+        let path = path.to_owned();
+        match error {
+            mcap::McapError::Io(error) => Self::File { path, error },
+            error => Self::Mcap { path, error },
+        }
+    }
 }
 
 /// Why a log cannot be read.

@@ -53,6 +53,8 @@ pub struct Log {
     pub task: Option<String>,
     /// Digest of the mesh of the surface, in hexadecimal digits; bags that `wisch run` has written on meshes state it.
     pub surface_mesh: Option<String>,
+    /// Nominal press force [N]; bags that `wisch run` has written state it.
+    pub press_force_n: Option<f64>,
     /// Number of the executed round, from 1; bags written by [`crate::BagWriter`] state it.
     pub round: Option<usize>,
     /// Camera observations of the dirt before the first sample and after the last, in the frame of the believed
@@ -392,6 +394,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         world_from_surface: surface(&raw, start),
         task: raw.task.clone(),
         surface_mesh: raw.surface_mesh.clone(),
+        press_force_n: raw.press_force_n,
         round: raw.round,
         observations: raw.looks.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,

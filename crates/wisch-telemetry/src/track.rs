@@ -51,6 +51,8 @@ pub(crate) struct RawLog {
     pub task: Option<String>,
     /// Digest of the surface's mesh, if the writer states it.
     pub surface_mesh: Option<String>,
+    /// Nominal press force [N], if the writer states it.
+    pub press_force_n: Option<f64>,
     /// Number of the executed round, if the writer states it.
     pub round: Option<usize>,
     /// Camera observations of the dirt before and after the round.

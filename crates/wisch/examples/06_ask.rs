@@ -35,7 +35,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
 
     let folder = tempfile::tempdir()?;
     let memory = Memory::create(folder.path())?;
-    let header = EpisodeHeader::new(0.0, 0.85, task.seed, "tutorial");
+    let header = EpisodeHeader::new(0.0, task, 0.85, "tutorial");
     let record = remember_log(&header, "a log", 4.0, task, &goal, &estimate);
     memory.begin(&header.id)?.commit(&record)?;
 

@@ -65,7 +65,10 @@ Examples:
 
 The folder has one subfolder for each collection, each a dump that mongorestore and KnowRob read: triples, \
 annotations, inferred and tf, and two collections that only wisch writes: wrench, and observation with the \
-camera's dirt locations. It also holds meta.json and semco.owl.")]
+camera's dirt locations. It also holds meta.json and semco.owl. Without ID, damaged and changed episodes are left out; the \
+output names each with the reason.
+
+Exit codes: 0 success, 1 some episodes were left out, 2 an error.")]
     Export(ExportArgs),
     /// Copy the episodes to a fleet: a store that many robots share
     #[command(after_help = "\

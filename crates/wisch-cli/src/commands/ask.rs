@@ -1,5 +1,6 @@
 //! `wisch ask`: answers Prolog queries of a memory, from the command line, a pipe or a prompt.
 
+use super::interrupt::leave_ctrl_c;
 use super::{engine, fleet, look};
 use crate::args::{AskArgs, DEFAULT_MEMORY, GlobalArgs};
 use crate::failure::Failure;
@@ -281,6 +282,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
         print("Type a Prolog query, help or quit; Ctrl-C ends a query.\n")?;
     }
     // While the user types a line, the editor handles Ctrl-C.
+    leave_ctrl_c();
     register(SIGINT, asked.asker.interrupt())
         .map_err(|error| Failure::new(format!("Ctrl-C: {error}")))?;
     loop {

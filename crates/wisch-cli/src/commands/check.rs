@@ -7,8 +7,9 @@ use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
-use std::collections::BTreeSet;
+use crate::terminal::{Outcome, print, print_json};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
@@ -56,13 +57,21 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let refusal = check_score(&prediction, prepared.task.action, least).err();
     let reaches_nothing = robot.as_ref().is_some_and(|robot| robot.reaches_nothing);
     drop(progress);
-    if !global.quiet {
-        let found = Found {
-            free_area,
-            plan,
-            robot,
-            prediction,
-        };
+    let found = Found {
+        free_area,
+        plan,
+        robot,
+        prediction,
+    };
+    if args.json {
+        let refusal = refusal.as_ref().map(ToString::to_string);
+        print_json(&CheckRecord::new(
+            &prepared,
+            &found,
+            refusal,
+            reaches_nothing,
+        ))?;
+    } else if !global.quiet {
         let heading = match &refusal {
             _ if reaches_nothing => {
                 "the task is valid, but the robot reaches no stroke of its plan".to_owned()
@@ -76,6 +85,74 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         None if !reaches_nothing => Outcome::Done,
         _ => Outcome::GoalNotMet,
     })
+}
+
+/// The object that `--json` prints.
+#[derive(Serialize)]
+struct CheckRecord<'a> {
+    task: &'a str,
+    action: &'a str,
+    surface: &'a str,
+    tool: &'a str,
+    medium: &'a str,
+    strategy: &'a str,
+    seed: u64,
+    particles: usize,
+    free_share: f64,
+    nodes: usize,
+    strokes: usize,
+    distance_in_contact_m: f64,
+    unreachable_share: f64,
+    predicted_performance: f64,
+    target_performance: f64,
+    lost_share: f64,
+    score: f64,
+    min_score: f64,
+    /// Why the plan would not be executed; null if it would.
+    refusal: Option<String>,
+    /// Whether the robot reaches a stroke of the plan; null without a robot.
+    reaches_a_stroke: Option<bool>,
+    /// The lines about the robot, by name; null without a robot.
+    robot: Option<BTreeMap<&'static str, &'a str>>,
+}
+
+impl<'a> CheckRecord<'a> {
+    fn new(
+        prepared: &'a LoadedTask,
+        found: &'a Found<'_>,
+        refusal: Option<String>,
+        reaches_nothing: bool,
+    ) -> Self {
+        let (task, plan, prediction) = (&prepared.task, found.plan, &found.prediction);
+        let performance = prediction.performance;
+        let lines = |robot: &'a RobotFound| {
+            let lines = robot.lines.iter().map(|(name, line)| (*name, &line[..]));
+            lines.collect()
+        };
+        Self {
+            task: &task.name,
+            action: task.action.as_str(),
+            surface: &task.surface.name,
+            tool: &task.tool.name,
+            medium: &task.medium,
+            strategy: prepared.run.plan.strategy.as_str(),
+            seed: prepared.run.plan.seed,
+            particles: task.particles.len(),
+            free_share: found.free_area.free_share,
+            nodes: plan.graph.nodes.len(),
+            strokes: plan.strokes.len(),
+            distance_in_contact_m: plan.contact_distance(),
+            unreachable_share: plan.unreachable_share,
+            predicted_performance: performance.ratio(),
+            target_performance: prepared.run.target,
+            lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
+            score: prediction.score(),
+            min_score: prepared.run.min_score,
+            refusal,
+            reaches_a_stroke: found.robot.as_ref().map(|_| !reaches_nothing),
+            robot: found.robot.as_ref().map(lines),
+        }
+    }
 }
 
 /// The results of a check.

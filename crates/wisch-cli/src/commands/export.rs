@@ -3,11 +3,12 @@
 use super::PROGRAM;
 use super::memory::{broken, open};
 use super::words::counted;
-use crate::args::{ExportArgs, GlobalArgs};
+use crate::args::{ExportArgs, GlobalArgs, suggest};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json};
 use std::collections::BTreeSet;
+use wisch_io::NewFolder;
 use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
 use wisch_record::unix_time;
@@ -23,22 +24,30 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
             (named.collect::<Result<_, _>>()?, Vec::new())
         }
     };
-    for why in &left_out {
-        remark(&format!("{why}; the episode is left out"));
-    }
     let meta = About::of(&episodes)?.meta(episodes.len())?;
     let config = NeemConfig {
         tf_rate_hz: args.tf_rate_hz,
     };
-    let mut neem = NeemWriter::create(&args.neem, &meta, &config).map_err(not_written)?;
+    if args.neem.exists() {
+        let path = args.neem.clone();
+        return Err(not_written(NeemError::Exists { path }));
+    }
+    let folder = NewFolder::begin(&args.neem)
+        .map_err(|error| Failure::from(error).with_help("choose another folder with --neem DIR"))?;
+    let mut neem = NeemWriter::create(&folder.path(), &meta, &config).map_err(not_written)?;
     for (number, episode) in (1..).zip(&episodes) {
         progress.say(format!("episode {number} of {}", episodes.len()));
         write(&mut neem, episode)?;
     }
     let report = neem.finish().map_err(not_written)?;
+    folder.finish()?;
     drop(progress);
     tell(args, global, &report, &left_out)?;
-    Ok(Outcome::Done)
+    Ok(if left_out.is_empty() {
+        Outcome::Done
+    } else {
+        Outcome::GoalNotMet
+    })
 }
 
 /// Returns all episodes without faults, and what is wrong with the others.
@@ -55,7 +64,7 @@ fn find_sound_episodes(memory: &Memory) -> Result<(Vec<Episode>, Vec<String>), F
     }
     if let (true, Some(first)) = (sound.is_empty(), left_out.first()) {
         return Err(Failure::new(format!("no episode can be exported: {first}"))
-            .with_help("wisch memory verify lists damaged files"));
+            .with_help(format!("{} lists damaged files", suggest("memory verify"))));
     }
     Ok((sound, left_out))
 }
@@ -143,19 +152,19 @@ fn tell(
     left_out: &[String],
 ) -> Result<(), Failure> {
     if args.json {
-        let line = serde_json::json!({
+        print_json(&serde_json::json!({
             "neem": args.neem,
             "episodes": report.episodes,
             "triples": report.triples,
             "annotations": report.annotations,
             "poses": report.poses,
             "wrenches": report.wrenches,
+            "unusable_wrenches": report.unusable_wrenches,
             "observations": report.observations,
             "left_out": left_out,
-        });
-        print(&format!("{line}\n"))?;
+        }))?;
     } else if !global.quiet {
-        print(&format!(
+        let mut text = format!(
             "{}: {}, {} triples, {} poses, {} wrenches, {} observations\n",
             args.neem.display(),
             counted(report.episodes as usize, "episode"),
@@ -163,16 +172,26 @@ fn tell(
             report.poses,
             report.wrenches,
             report.observations
-        ))?;
+        );
+        if report.unusable_wrenches > 0 {
+            let count = counted(report.unusable_wrenches as usize, "sample");
+            text += &format!("left out: the wrench of {count}, which its driver calls unusable\n");
+        }
+        for why in left_out {
+            text += &format!("left out: {why}\n");
+        }
+        print(&text)?;
     }
     Ok(())
 }
 
 fn not_written(error: NeemError) -> Failure {
     let help = match error {
-        NeemError::Exists { .. } => "choose a new folder with --neem DIR",
-        NeemError::Rate { .. } => "choose a positive rate with --tf-rate-hz; the default is 10",
-        _ => "wisch memory verify lists damaged files",
+        NeemError::Exists { .. } => "choose a new folder with --neem DIR".to_owned(),
+        NeemError::Rate { .. } => {
+            "choose a positive rate with --tf-rate-hz; the default is 10".to_owned()
+        }
+        _ => format!("{} lists damaged files", suggest("memory verify")),
     };
     Failure::new(error).with_help(help)
 }

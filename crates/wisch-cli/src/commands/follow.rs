@@ -1,7 +1,7 @@
 //! The robot that follows plans: its description, its workcell and its first posture.
 
 use super::prepare::stage_failure;
-use crate::args::{RobotArgs, TaskArgs};
+use crate::args::{RobotArgs, TaskArgs, suggest};
 use crate::failure::Failure;
 use crate::terminal::remark;
 use std::path::Path;
@@ -144,7 +144,10 @@ fn cannot_follow(error: &FollowError, record: &RobotRecord, task_args: &TaskArgs
                 FollowError::Robot(RobotError::ChainTooLong { .. }) => failure.with_help(
                     "name a group with a shorter chain in the robot's SRDF, or make joints that need not move fixed",
                 ),
-                _ => failure.with_help(format!("see all findings with wisch robot check {urdf}")),
+                _ => failure.with_help(format!(
+                    "see all findings with {}",
+                    suggest(&format!("robot check {urdf}"))
+                )),
             }
         }
         (FollowError::UnknownGroup(_), _) => {

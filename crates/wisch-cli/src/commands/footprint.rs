@@ -8,7 +8,9 @@ use wisch::geometry::{
     Mesh, MeshFormat, Polygon, RIGID_DEPTH, Region, Vector2, footprint as mesh_footprint,
 };
 use wisch::represent::{AngleRange, AreaOfEffect, KnowledgeBase, Tool, ToolEntry, ToolMesh};
-use wisch_io::{KnowledgeSource, check_tool_extent, find_underside_offset, read, up_axis_remark};
+use wisch_io::{
+    KnowledgeSource, OutputFile, check_tool_extent, find_underside_offset, read, up_axis_remark,
+};
 use wisch_report::footprint_drawing;
 
 /// A tool with the source of its footprint.
@@ -36,9 +38,7 @@ pub fn footprint(args: &FootprintArgs, global: &GlobalArgs) -> Result<Outcome, F
         None => of_knowledge(args)?,
     };
     if let Some(path) = &args.svg {
-        std::fs::write(path, footprint_drawing(&touch.tool)).map_err(|error| {
-            Failure::new(format!("{}: cannot write there: {error}", path.display()))
-        })?;
+        OutputFile::begin(path)?.finish(footprint_drawing(&touch.tool).as_bytes())?;
     }
     if !global.quiet {
         print(&in_words(&touch, args.svg.as_deref()))?;

@@ -4,7 +4,7 @@ use super::PROGRAM;
 use super::interpret::{Interpreted, goal, interpret_read, read_log, task_args};
 use super::prepare;
 use super::words::{counted, json, percent};
-use crate::args::{GlobalArgs, ImportArgs, LoggedArgs};
+use crate::args::{GlobalArgs, ImportArgs, LoggedArgs, suggest};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, remark};
@@ -125,7 +125,8 @@ fn keep(
     let log = &interpreted.log;
     let start = start_of(args, log);
     // The name is derived from the log, so that two simultaneous imports of a log collide.
-    let writer = begin_episode(memory, start, digest.last_bits()).map_err(cannot_keep)?;
+    let begun = begin_episode(memory, start, digest.last_bits());
+    let (writer, unfinished) = begun.map_err(cannot_keep)?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
@@ -137,6 +138,7 @@ fn keep(
     attach(&writer, (prepared, reading), interpreted)?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
+        task: prepared.task.name.clone(),
         start,
         target: prepared.run.target,
         seed: prepared.run.plan.seed,
@@ -167,7 +169,8 @@ fn keep(
         let remarks = remarks.join("; ");
         set_text(&mut record, "semco:WipingRound", "semco:logRemark", remarks);
     }
-    (writer.commit(&record)).map_err(cannot_keep)?;
+    let placed = unfinished.place(|| writer.commit(&record));
+    placed.map_err(cannot_keep)?;
     Ok(record)
 }
 
@@ -264,7 +267,10 @@ fn report_known(
         return Err(Failure::new(format!(
             "{log}: the memory has this log already, as episode {id}, imported with another task or other options"
         ))
-        .with_help(format!("remove that episode with wisch memory forget {id}, then import the log again")));
+        .with_help(format!(
+            "remove that episode with {}, then import the log again",
+            suggest(&format!("memory forget {id}"))
+        )));
     }
     let record = episode.record().map_err(cannot_keep)?;
     say(&record, args, global, |place| {

@@ -10,7 +10,7 @@ use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, print_json};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
@@ -56,8 +56,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     drop(progress);
 
     if args.json {
-        let line = serde_json::to_string(record).map_err(internal)?;
-        print(&(line + "\n"))?;
+        print_json(record)?;
     } else if !global.quiet {
         print(&in_words(record, &out))?;
     }

@@ -1,19 +1,17 @@
-//! Signals during a run: a clean stop, or a hint how to resume.
+//! Signals: a command removes what it has not finished and ends; a run with an executor stops the robot first.
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{complain_of, remark};
+use crate::terminal::{complain_of, hold_back, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
-use signal_hook::flag::{register, register_conditional_shutdown};
-use std::fs::remove_dir_all;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use signal_hook::flag::register;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
-use wisch_io::PauseSwitch;
+use wisch_io::{PauseSwitch, kill_executors, remove_unfinished};
 
-/// Exit code of a program that Ctrl-C ended, as shells define it.
-const EXIT_INTERRUPTED: i32 = 130;
+/// Exit code of a program that a signal ended, less the number of the signal, as shells define it.
+const EXIT_BY_SIGNAL: i32 = 128;
 /// Period at which the flag of a signal is checked.
 const PERIOD: Duration = Duration::from_millis(20);
 
@@ -21,41 +19,74 @@ const PERIOD: Duration = Duration::from_millis(20);
 /// runs several times, and a signal between two runs counts for the next.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 static PAUSE: OnceLock<Arc<PauseSwitch>> = OnceLock::new();
+/// Whether the command handles Ctrl-C itself.
+static HANDLES_CTRL_C: AtomicBool = AtomicBool::new(false);
 
-/// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP request a clean stop.
+/// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP remove what the command has not finished, and end the program.
 ///
-/// The first signal sets the returned flag, the same in every call: the robot is stopped, and the executed part of the round is interpreted and
-/// kept. The second signal ends the program and all executors at once.
+/// After [`stop_on_signal`], the first signal requests a clean stop, and the second ends the program and all executors.
 ///
 /// # Errors
 /// If the system refuses a handler.
-pub fn stop_on_signal() -> Result<Arc<AtomicBool>, Failure> {
-    if let Some(stop) = STOP.get() {
-        return Ok(Arc::clone(stop));
-    }
-    let signalled = Arc::new(AtomicBool::new(false));
+pub fn listen() -> Result<(), Failure> {
+    let mut flags = Vec::new();
     for signal in [SIGINT, SIGTERM, SIGHUP] {
-        register(signal, Arc::clone(&signalled))
+        let flag = Arc::new(AtomicBool::new(false));
+        register(signal, Arc::clone(&flag))
             .map_err(|error| Failure::new(format!("signal {signal}: {error}")))?;
+        flags.push((signal, flag));
     }
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(PERIOD);
-            if !signalled.swap(false, Ordering::SeqCst) {
+            let mut flags = flags.iter();
+            let Some((signal, _)) = flags.find(|(_, flag)| flag.swap(false, Ordering::SeqCst))
+            else {
+                continue;
+            };
+            if *signal == SIGINT && HANDLES_CTRL_C.load(Ordering::SeqCst) {
                 continue;
             }
-            if asked.swap(true, Ordering::SeqCst) {
-                wisch_io::kill_executors();
-                std::process::exit(EXIT_INTERRUPTED);
+            match STOP.get() {
+                Some(stop) if !stop.swap(true, Ordering::SeqCst) => remark(
+                    "stopping the robot and keeping the executed part; a second signal ends the program at once",
+                ),
+                _ => end(*signal),
             }
-            remark(
-                "stopping the robot and keeping the executed part; a second signal ends the program at once",
-            );
         }
     });
-    Ok(Arc::clone(STOP.get_or_init(|| stop)))
+    Ok(())
+}
+
+/// Leaves Ctrl-C to the command: to a prompt, where it ends a query and not the program.
+pub fn leave_ctrl_c() {
+    HANDLES_CTRL_C.store(true, Ordering::SeqCst);
+}
+
+/// Removes what is unfinished, and ends the program and all executors.
+fn end(signal: i32) -> ! {
+    // Held to the end, so that no round is completed meanwhile.
+    let run = unfinished();
+    hold_back();
+    kill_executors();
+    remove_unfinished();
+    let failure = match &*run {
+        Some(run) => {
+            (run.clear)();
+            interruption(run.kept)
+        }
+        None => Failure::new("interrupted"),
+    };
+    complain_of(&failure);
+    std::process::exit(EXIT_BY_SIGNAL + signal)
+}
+
+/// Lets signals request a clean stop.
+///
+/// The first signal sets the returned flag, the same in every call: the robot is stopped, and the executed part of the round is
+/// interpreted and kept. The second signal ends the program and all executors at once.
+pub fn stop_on_signal() -> Arc<AtomicBool> {
+    Arc::clone(STOP.get_or_init(Arc::default))
 }
 
 /// Whether a signal has requested a stop since the program began.
@@ -93,12 +124,10 @@ pub fn pause_on_signal() -> Result<Arc<PauseSwitch>, Failure> {
     Ok(Arc::clone(PAUSE.get_or_init(|| switch)))
 }
 
-/// A run that Ctrl-C ends at once.
-struct UnfinishedRun {
+/// A run that a signal ends at once.
+pub struct UnfinishedRun {
     /// Number of rounds with a checkpoint.
-    kept: Arc<AtomicUsize>,
-    /// Folder of the results, as long as it can be removed.
-    staging: Option<PathBuf>,
+    pub kept: usize,
     clear: Box<dyn Fn() + Send>,
 }
 
@@ -109,59 +138,17 @@ fn unfinished() -> MutexGuard<'static, Option<UnfinishedRun>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Installs a handler with which Ctrl-C ends the program at once and prints how to resume.
-///
-/// The checkpoints stay, as after a kill. Without one, `staging`, the folder of the unfinished results, is removed until
-/// [`keep_unfinished_results`]. `kept`: number of rounds with a checkpoint; the caller increments the returned counter after each
-/// further checkpoint.
-///
-/// # Errors
-/// If the system refuses the handler.
-pub fn say_how_to_resume(
-    progress: &Progress,
-    kept: usize,
-    staging: PathBuf,
-) -> Result<Arc<AtomicUsize>, Failure> {
-    let kept = Arc::new(AtomicUsize::new(kept));
-    let before = unfinished().replace(UnfinishedRun {
-        kept: Arc::clone(&kept),
-        staging: Some(staging),
+/// Lets a signal print how to resume the run. `kept`: number of rounds with a checkpoint.
+pub fn say_how_to_resume(progress: &Progress, kept: usize) {
+    *unfinished() = Some(UnfinishedRun {
+        kept,
         clear: Box::new(progress.clearing()),
     });
-    if before.is_some() {
-        return Ok(kept);
-    }
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let failed = |error| Failure::new(format!("Ctrl-C: {error}"));
-    // The second Ctrl-C ends the program at once: its handler reads the flag before the first one sets it.
-    register_conditional_shutdown(SIGINT, EXIT_INTERRUPTED, Arc::clone(&interrupted))
-        .and_then(|_| register(SIGINT, Arc::clone(&interrupted)))
-        .map_err(failed)?;
-    std::thread::spawn(move || {
-        while !interrupted.load(Ordering::SeqCst) {
-            std::thread::sleep(PERIOD);
-        }
-        // Held to the end, so that no results are put in place meanwhile.
-        let run = unfinished();
-        if let Some(run) = &*run {
-            (run.clear)();
-            let kept = run.kept.load(Ordering::SeqCst);
-            if let (0, Some(staging)) = (kept, &run.staging) {
-                // Again, if the run has written a file meanwhile; the next run removes what is left even so.
-                let _ = remove_dir_all(staging).or_else(|_| remove_dir_all(staging));
-            }
-            complain_of(&interruption(kept));
-        }
-        std::process::exit(EXIT_INTERRUPTED)
-    });
-    Ok(kept)
 }
 
-/// Lets Ctrl-C keep the folder of unfinished results: it is about to be put in place.
-pub fn keep_unfinished_results() {
-    if let Some(run) = &mut *unfinished() {
-        run.staging = None;
-    }
+/// Delays signals until the returned guard is dropped: a round is decided, and its checkpoint is written now.
+pub fn delay_signals() -> MutexGuard<'static, Option<UnfinishedRun>> {
+    unfinished()
 }
 
 fn interruption(kept: usize) -> Failure {

@@ -10,7 +10,7 @@ use wisch::plan::Plan;
 use wisch::represent::ParticleError;
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
 use wisch_io::{LoadedTask, OutputFolder, Robot};
-use wisch_record::RoundGroundTruth;
+use wisch_record::{RoundGroundTruth, RunClock};
 use wisch_sim::GroundTruth;
 
 /// Number of single-stroke rounds that replace one round of a whole plan.
@@ -23,6 +23,8 @@ pub(super) struct Job<'a> {
     pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
     pub folder: &'a OutputFolder,
     pub progress: &'a Progress,
+    /// When the command began.
+    pub clock: RunClock,
 }
 
 impl Job<'_> {

@@ -3,7 +3,7 @@
 use crate::args::{GlobalArgs, RobotMapArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json, remark};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -116,10 +116,7 @@ pub fn map(args: &RobotMapArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         out: out.display().to_string(),
     };
     if args.json {
-        let line = serde_json::to_string(&record).map_err(|error| {
-            Failure::new(format!("the report cannot be written as JSON: {error}"))
-        })?;
-        print(&(line + "\n"))?;
+        print_json(&record)?;
     } else if !global.quiet {
         print(&in_words(&record))?;
     }

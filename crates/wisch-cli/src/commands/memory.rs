@@ -2,9 +2,9 @@
 
 use super::interpret::UNKNOWN;
 use super::words::{counted, internal, percent};
-use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs};
+use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs, suggest};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json, remark};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch_memory::ask::Assertions;
@@ -22,8 +22,12 @@ struct Listed<'a> {
     /// When it began [s since 1970]; null if its times are no dates.
     start_s: Option<f64>,
     #[serde(skip)]
-    end: f64,
+    begin: f64,
+    /// Duration of the robot's motions.
     duration_s: f64,
+    /// Duration of the program by its machine's clock; absent for imported logs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clock_duration_s: Option<f64>,
     rounds: usize,
     /// Estimated performance after the last round; absent without a wiping action.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -38,9 +42,8 @@ struct Listed<'a> {
 pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
     for why in catalogue.omitted_episodes() {
-        remark(&format!(
-            "{why}: left out; wisch memory verify lists damaged files"
-        ));
+        let verify = suggest("memory verify");
+        remark(&format!("{why}: left out; {verify} lists damaged files"));
     }
     let actions = actions(&catalogue);
     let collisions = counts(&catalogue, "semco:HumanCollision");
@@ -49,8 +52,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
         .iter()
         .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
         .collect();
-    // Simulation runs faster than the clock, so the starts of two episodes can be out of sequence; the ends are not.
-    listed.sort_by(|a, b| a.end.total_cmp(&b.end).then(a.id.cmp(b.id)));
+    listed.sort_by(|a, b| a.begin.total_cmp(&b.begin).then(a.id.cmp(b.id)));
     let mut text = String::new();
     if args.json {
         for one in &listed {
@@ -95,7 +97,8 @@ impl<'a> Listed<'a> {
             id: &row.id,
             task: &row.task,
             start_s: Some(row.interval[0]).filter(|start| is_date(*start)),
-            end: row.interval[1],
+            begin: row.interval[0],
+            clock_duration_s: clock_duration(catalogue, row),
             duration_s: row.interval[1] - row.interval[0],
             rounds: row.rounds.len(),
             performance,
@@ -104,6 +107,12 @@ impl<'a> Listed<'a> {
             human_collisions: collisions.get(&row.first).copied().unwrap_or(0),
         }
     }
+}
+
+/// Returns the duration of an episode's program by its machine's clock [s]; `None` for an imported log.
+fn clock_duration(catalogue: &Catalogue, row: &EpisodeRow) -> Option<f64> {
+    let found = entries(catalogue.numbers("semco:clockDuration"), row.first);
+    found.first().map(|(_, seconds)| *seconds)
 }
 
 /// The wiping of each episode, by the episode's first individual.
@@ -162,8 +171,7 @@ pub fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
     let episode = open(&args.memory)?.episode(&args.id).map_err(broken)?;
     let record = episode.record().map_err(broken)?;
     if args.json {
-        let line = serde_json::to_string(&record).map_err(internal)?;
-        print(&(line + "\n"))?;
+        print_json(&record)?;
     } else {
         let files = episode.files().map_err(broken)?;
         let stamps = stamps_in_words(&episode, record.rounds.len())?;
@@ -270,9 +278,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     faults.extend(dated_ahead(&memory.catalogue().map_err(broken)?));
     let is_well = faults.is_empty();
     if args.json {
-        let verified = Verified { episodes, faults };
-        let line = serde_json::to_string(&verified).map_err(internal)?;
-        print(&(line + "\n"))?;
+        print_json(&Verified { episodes, faults })?;
     } else if !global.quiet || !is_well {
         let mut text: String = faults.iter().map(|fault| format!("{fault}\n")).collect();
         let found = if is_well {
@@ -290,13 +296,15 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
     })
 }
 
-/// Reports episodes that end in the future of this machine's clock.
+/// Reports episodes that end in the future of this machine's clock. A simulation may be faster than the clock, so an episode
+/// with both durations ends after the shorter one.
 fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
     let now = wisch_record::unix_time();
-    let ahead = catalogue
-        .episodes()
-        .iter()
-        .filter(|row| row.interval[1] > now + 1.0);
+    let end_of = |row: &EpisodeRow| {
+        let clock = clock_duration(catalogue, row).unwrap_or(f64::INFINITY);
+        row.interval[1].min(row.interval[0] + clock)
+    };
+    let ahead = (catalogue.episodes().iter()).filter(|row| end_of(row) > now + 1.0);
     let faults = ahead.map(|row| {
         let [begin, end] = row.interval.map(local_date_and_time);
         format!(
@@ -312,8 +320,7 @@ fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
 pub fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     open(&args.memory)?.forget(&args.id).map_err(broken)?;
     if args.json {
-        let line = serde_json::json!({ "forgotten": args.id });
-        print(&format!("{line}\n"))?;
+        print_json(&serde_json::json!({ "forgotten": args.id }))?;
     } else if !global.quiet {
         print(&format!("forgot {}\n", args.id))?;
     }
@@ -329,8 +336,12 @@ pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
 
 pub(super) fn broken(error: MemoryError) -> Failure {
     let help = match error {
-        MemoryError::Unknown { .. } => "wisch memory list lists the episodes",
-        _ => "wisch memory verify lists damaged files, wisch memory forget ID removes an episode",
+        MemoryError::Unknown { .. } => format!("{} lists the episodes", suggest("memory list")),
+        _ => format!(
+            "{} lists damaged files, {} removes an episode",
+            suggest("memory verify"),
+            suggest("memory forget ID")
+        ),
     };
     Failure::new(error).with_help(help)
 }

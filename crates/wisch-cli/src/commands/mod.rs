@@ -50,6 +50,8 @@ const PROGRAM: &str = concat!("wisch ", env!("CARGO_PKG_VERSION"));
 
 /// Runs the command of the command line.
 pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
+    // Before any file is written, so that a signal leaves no files behind.
+    interrupt::listen()?;
     match &cli.command {
         Command::Run(args) => run::run(args, &cli.global),
         Command::Studio(args) => studio::studio(args, &cli.global),
@@ -63,7 +65,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Footprint(args) => footprint::footprint(args, &cli.global),
         Command::New(args) => new::new(args, &cli.global),
         Command::Scenarios(args) => scenarios::scenarios(args),
-        Command::Schema => new::schema(),
+        Command::Schema(args) => new::schema(args),
         Command::Completions(args) => shell::completions(args),
         Command::Man(args) => shell::man(args),
         Command::Check(args) => check::check(args, &cli.global),

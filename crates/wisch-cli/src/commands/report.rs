@@ -5,7 +5,7 @@ use super::prepare;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print};
+use crate::terminal::{Outcome, print, print_json};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use wisch_io::{INTERPRETATION_FILE, OutputFile, PLAN_FILE, REPORT_FILE};
@@ -22,7 +22,9 @@ pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{name}.html")));
     OutputFile::begin(&out)?.finish(page.as_bytes())?;
-    if !global.quiet {
+    if args.json {
+        print_json(&serde_json::json!({ "out": out.display().to_string() }))?;
+    } else if !global.quiet {
         print(&format!("{}\n", out.display()))?;
     }
     Ok(Outcome::Done)

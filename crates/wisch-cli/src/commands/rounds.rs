@@ -1,13 +1,13 @@
 //! The closed loop of `wisch run`: rounds of planning, wiping and interpreting, with their records.
 
 use super::PROGRAM;
-use super::interrupt::{keep_unfinished_results, pause_on_signal, say_how_to_resume};
+use super::interrupt::{UnfinishedRun, delay_signals, pause_on_signal, say_how_to_resume};
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
 use super::watch::Watch;
 use super::words::{counted, internal, json};
-use crate::args::{GlobalArgs, LoopArgs};
+use crate::args::{GlobalArgs, LoopArgs, options_for};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::remark;
@@ -15,19 +15,23 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, MutexGuard};
 use std::time::Duration;
 use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::plan::Plan;
-use wisch::run::{Executor, NoExecutor, Recording, Round, RunError, RunEvent, Session, Stage};
+use wisch::run::{
+    Ending, Executor, NoExecutor, Recording, Round, RunError, RunEvent, Session, Stage,
+};
 use wisch_io::{
-    DriverRobotRecord, ExecutedBy, LoadedTask, PlanRecord, ProcessExecutor, ProcessOptions, Robot,
+    DriverRobotRecord, ExecutedBy, LoadedTask, OutputFolder, PlanRecord, ProcessExecutor,
+    ProcessOptions, Robot,
 };
 use wisch_record::{
     EpisodeTarget, EventSink, KeptEpisode, RecordError, RecordOptions, RunRecord, RunResults,
     bag_name,
 };
+use wisch_report::CommandOptions;
 use wisch_sim::{CheckpointRound, Checkpoints, GroundTruth, WorkSurface, World};
 use wisch_telemetry::read_samples;
 
@@ -71,14 +75,9 @@ pub fn execute(
         job.progress.aside(|| remark(&text));
     }
     // A run with a stop flag ends cleanly and is not resumed; neither is a run of an external executor.
-    let kept_count = match stop {
-        None => Some(say_how_to_resume(
-            job.progress,
-            killed.len(),
-            job.folder.staging_path().to_owned(),
-        )?),
-        Some(_) => None,
-    };
+    if stop.is_none() {
+        say_how_to_resume(job.progress, killed.len());
+    }
     if let Some(path) = &args.events {
         record.add(Box::new(event_sink(path)?));
     }
@@ -91,17 +90,14 @@ pub fn execute(
     let mut sinks = Sinks {
         watch: Watch::new(job, checkpoints, taken_over.len(), args.realtime),
         record,
+        folder: job.folder,
         stop,
+        deciding: None,
+        is_moving: false,
     };
     let is_given = given.is_some();
     let mut session = job.session(job.config(Some(args)), given);
-    let run = sinks.run(
-        &mut session,
-        &mut executor,
-        &taken_over,
-        kept_count.as_ref(),
-    );
-    keep_unfinished_results();
+    let run = sinks.run(&mut session, &mut executor, &taken_over);
     sinks.record.end_bags();
     if let Some(error) = session.finish_failure() {
         let text = format!("the robot is not handed back, because finish failed: {error}");
@@ -115,7 +111,7 @@ pub fn execute(
         Some(failure) if finished == 0 => return Err(failure),
         broken => broken,
     };
-    sinks.say_if_interrupted(finished, job.progress)?;
+    sinks.say_if_interrupted(session.rounds(), job.progress)?;
     let first_observation = session.first_observation().cloned();
     let Sinks { mut record, .. } = sinks;
     let mut results = results(job, args, session, executor.truth(), &mut record)?;
@@ -148,6 +144,7 @@ fn record_options(
         memory: args.memory.memory.clone(),
         executor: args.executor.as_deref().map(program_of).or(on_robot),
         names: Some(job.folder.checkpoint_folder().join(EPISODES_FILE)),
+        clock: Some(job.clock),
     });
     RecordOptions {
         program: PROGRAM.to_owned(),
@@ -156,7 +153,19 @@ fn record_options(
         episode,
         is_live: args.live,
         workcell: Some(workcell),
+        options: Some(command_options(args)),
         ..RecordOptions::default()
+    }
+}
+
+/// Returns the options with which the page suggests commands. The recording knows task, settings, senses and seed.
+fn command_options(args: &LoopArgs) -> CommandOptions {
+    let known = ["set", "seed", "touch-only", "memory", "no-memory", "live"];
+    CommandOptions {
+        run: options_for("run", &known),
+        rounds: (args.rounds).map_or_else(String::new, |rounds| format!("--rounds {rounds}")),
+        check: options_for("check", &known),
+        plan: options_for("plan", &known),
     }
 }
 
@@ -262,8 +271,13 @@ fn results(
 struct Sinks<'a> {
     watch: Watch<'a>,
     record: RunRecord,
+    folder: &'a OutputFolder,
     /// Set by signals to end the run cleanly.
     stop: Option<&'a Arc<AtomicBool>>,
+    /// Delays other signals while a round is decided and has no checkpoint yet.
+    deciding: Option<MutexGuard<'static, Option<UnfinishedRun>>>,
+    /// Whether a motion has begun that has no verdict yet.
+    is_moving: bool,
 }
 
 impl Sinks<'_> {
@@ -273,7 +287,6 @@ impl Sinks<'_> {
         session: &mut Session<'_>,
         executor: &mut Executing,
         taken_over: &[f64],
-        kept_count: Option<&Arc<AtomicUsize>>,
     ) -> Result<(), RunError> {
         loop {
             let finished = session.rounds().len();
@@ -287,13 +300,22 @@ impl Sinks<'_> {
                     self.record.stages_mut().round(number).executing_s = *seconds;
                 } else if let Some(truth) = executor.truth().last()
                     && self.keep_checkpoint(session, round, truth)
-                    && let Some(count) = kept_count
+                    && let Some(run) = self.deciding.as_mut().and_then(|run| run.as_mut())
                 {
-                    count.store(number, Ordering::SeqCst);
+                    run.kept = number;
+                    self.folder.keep_if_interrupted();
                 }
             }
-            if stage? == Stage::Ended {
-                return Ok(());
+            self.deciding = None;
+            match stage {
+                Ok(Stage::Ended) => return Ok(()),
+                Ok(_) => {}
+                // An executor that waits between two motions answers a stop with an error.
+                Err(_) if self.is_stopped() && !self.is_moving && finished > 0 => {
+                    let _ = self.record.on_event(&RunEvent::Ended(None));
+                    return Ok(());
+                }
+                Err(error) => return Err(error),
             }
         }
     }
@@ -303,21 +325,21 @@ impl Sinks<'_> {
     }
 
     /// Prints a note that a signal ended the run, with the number of kept `rounds`. Zero rounds are an error.
-    fn say_if_interrupted(&self, rounds: usize, progress: &Progress) -> Result<(), Failure> {
+    fn say_if_interrupted(&self, rounds: &[Round], progress: &Progress) -> Result<(), Failure> {
         if !self.is_stopped() {
             return Ok(());
         }
-        if rounds == 0 {
+        let Some(last) = rounds.last() else {
             return Err(Failure::new(
                 "interrupted before the first motion; nothing is kept",
             ));
-        }
-        let count = counted(rounds, "round");
-        progress.aside(|| {
-            remark(&format!(
-                "interrupted: {count} kept; the last round holds its executed part"
-            ))
-        });
+        };
+        let part = match last.execution.ending {
+            Ending::Complete => "",
+            _ => "; the last round holds its executed part",
+        };
+        let count = counted(rounds.len(), "round");
+        progress.aside(|| remark(&format!("interrupted: {count} kept{part}")));
         Ok(())
     }
 
@@ -325,6 +347,14 @@ impl Sinks<'_> {
     fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         let flow = self.record.on_event(event);
         self.watch.on_event(event);
+        match event {
+            RunEvent::Executing(_) => self.is_moving = true,
+            RunEvent::Decided(_) => self.is_moving = false,
+            _ => {}
+        }
+        if self.stop.is_none() && matches!(event, RunEvent::Decided(_)) {
+            self.deciding = Some(delay_signals());
+        }
         // The record and the progress have received the event, so the loop can end here.
         if self.is_stopped() {
             return ControlFlow::Break(());

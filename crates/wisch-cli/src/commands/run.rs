@@ -15,11 +15,11 @@ use super::watch::show;
 use super::words::{counted, internal};
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PlanArgs, PredictArgs, ResultArgs, RobotArgs, TaskArgs,
-    WipeArgs,
+    WipeArgs, suggest,
 };
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json, remark};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 use wisch::interpret::Belief;
@@ -29,7 +29,9 @@ use wisch::run::{AfterStop, Ending, NoExecutor, RunConfig, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
 use wisch_io::{LoadedTask, OutputFile, OutputFolder};
 use wisch_io::{PLAN_FILE, PlanRecord, REPORT_FILE, Summary, read_text, wipes_all_patches};
-use wisch_record::{KeptEpisode, RecordOptions, RunRecord, RunResults, StageSink, write_results};
+use wisch_record::{
+    KeptEpisode, RecordOptions, RunClock, RunRecord, RunResults, StageSink, write_results,
+};
 use wisch_report::EffectFrames;
 
 /// Maximum number of particles of a run: with this number, the smallest belief takes 2 GiB.
@@ -263,11 +265,6 @@ fn work_on_patches(
     Ok(are_met)
 }
 
-fn print_json(summary: &impl serde::Serialize) -> Result<(), Failure> {
-    let line = serde_json::to_string(summary).map_err(internal)?;
-    print(&(line + "\n"))
-}
-
 /// Works on one surface, and prints its summary for people. `summarised` receives the summary as soon as it is complete.
 fn work_on_surface(
     task_args: &TaskArgs,
@@ -277,7 +274,7 @@ fn work_on_surface(
     global: &GlobalArgs,
     summarised: &dyn Fn(&Summary) -> Result<(), Failure>,
 ) -> Result<Done, Failure> {
-    let progress = Progress::start(global);
+    let (progress, clock) = (Progress::start(global), RunClock::start());
     progress.say("reading the task");
     let kept = read_kept(extent, task_args, results)?;
     let task_args = &in_evaluations(&extent.restrict_senses(task_args), &kept)?;
@@ -295,10 +292,8 @@ fn work_on_surface(
         &prepared.task.name,
         extent.suffix(chosen.is_some()),
     );
-    // Handle signals before any file is written, so that a signal leaves no files behind.
     let ends_cleanly = |rounds: &LoopArgs| rounds.has_executor() || rounds.live;
     let stop = (extent.rounds().is_some_and(ends_cleanly)).then(stop_on_signal);
-    let stop = stop.transpose()?;
     if extent.rounds().is_some_and(LoopArgs::has_executor) {
         // A pause that comes before the executor starts holds before the first motion.
         pause_on_signal()?;
@@ -320,6 +315,7 @@ fn work_on_surface(
         robot: robot.as_ref().map(|(chosen, robot)| (*chosen, robot)),
         folder: &folder,
         progress: &progress,
+        clock,
     };
     let Executed {
         results: results_of,
@@ -481,7 +477,10 @@ fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
         kept.place.display(),
         kept.without.join(", nor ")
     ))
-    .with_help("queries of telemetry skip this episode; wisch memory forget ID removes it"))
+    .with_help(format!(
+        "queries of telemetry skip this episode; {} removes it",
+        suggest(&format!("memory forget {}", kept.id))
+    )))
 }
 
 /// Whether the last round was stopped, whatever its verdict.

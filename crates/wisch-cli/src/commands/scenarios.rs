@@ -2,10 +2,10 @@
 
 use crate::args::ScenariosArgs;
 use crate::failure::Failure;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json, remark};
 use std::path::{Path, PathBuf};
 use wisch::source_location::UnknownName;
-use wisch_io::{scenario_files, shipped_scenarios};
+use wisch_io::{OutputFile, scenario_files, shipped_scenarios};
 
 /// Lists the scenarios with their first sentences, or prints or writes the task file of one scenario.
 pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
@@ -16,7 +16,21 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
             Failure::new(UnknownName::new("scenario", name, known))
         })?;
         match &args.out {
-            Some(folder) => write(folder, name, text)?,
+            Some(folder) => {
+                let written = write(folder, name, text)?;
+                if args.json {
+                    print_json(&serde_json::json!({ "name": name, "written": written }))?;
+                } else {
+                    let lines = written.iter().map(|path| format!("wrote {path}\n"));
+                    print(&lines.collect::<String>())?;
+                }
+            }
+            None if args.json => {
+                let files: Vec<&str> = scenario_files(text).map(|(path, _)| path).collect();
+                let scenario =
+                    serde_json::json!({ "name": name, "task_file": text, "files": files });
+                print_json(&scenario)?;
+            }
             None => {
                 print(text)?;
                 if let Some((path, _)) = scenario_files(text).next() {
@@ -28,6 +42,15 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
         }
         return Ok(Outcome::Done);
     }
+    if args.json {
+        let scenarios: Vec<_> = shipped_scenarios()
+            .map(
+                |(name, text)| serde_json::json!({ "name": name, "summary": first_sentence(text) }),
+            )
+            .collect();
+        print_json(&serde_json::json!({ "scenarios": scenarios }))?;
+        return Ok(Outcome::Done);
+    }
     let width = shipped_scenarios().map(|(name, _)| name.len()).max();
     let width = width.unwrap_or(0);
     let list: String = shipped_scenarios()
@@ -37,8 +60,8 @@ pub fn scenarios(args: &ScenariosArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// Writes a scenario and the files that it names to a folder; existing files stay.
-fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
+/// Writes a scenario and the files that it names to a folder, and returns their paths; existing files stay.
+fn write(folder: &Path, name: &str, text: &str) -> Result<Vec<String>, Failure> {
     let task = (format!("{name}.toml"), text.as_bytes());
     let named = scenario_files(text).map(|(path, contents)| (path.to_owned(), contents));
     let files: Vec<(PathBuf, &[u8])> = std::iter::once(task)
@@ -50,14 +73,15 @@ fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
             .within(path)
             .with_help("choose another folder with --out"));
     }
+    let mut written = Vec::new();
     for (path, contents) in files {
         let parent = path.parent().unwrap_or(folder);
         std::fs::create_dir_all(parent)
-            .and_then(|()| std::fs::write(&path, contents))
             .map_err(|error| Failure::new(format!("cannot write there: {error}")).within(&path))?;
-        print(&format!("wrote {}\n", path.display()))?;
+        OutputFile::begin(&path)?.finish(contents)?;
+        written.push(path.display().to_string());
     }
-    Ok(())
+    Ok(written)
 }
 
 /// Returns the first sentence of a file's leading comment, without text in brackets.

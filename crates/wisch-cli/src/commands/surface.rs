@@ -16,6 +16,7 @@ use crate::terminal::{Outcome, print};
 use std::path::Path;
 use wisch::geometry::Sheet;
 use wisch::represent::{find_needed_compression, principal_curvatures};
+use wisch_io::OutputFile;
 use wisch_report::{SheetInput, sheet_drawing};
 
 /// Reads the mesh, unrolls it, and reports on it.
@@ -63,6 +64,5 @@ fn draw_chart(title: &str, sheet: &Sheet, args: &SurfaceMeshArgs) -> String {
 }
 
 fn write(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), Failure> {
-    std::fs::write(path, contents)
-        .map_err(|error| Failure::new(format!("{}: cannot write there: {error}", path.display())))
+    Ok(OutputFile::begin(path)?.finish(contents.as_ref())?)
 }

@@ -2,15 +2,17 @@
 
 mod replacement;
 mod staging_dir;
+mod unfinished;
 
 pub use staging_dir::{KilledRuns, Leftover};
+pub use unfinished::{Unfinished, remove_unfinished};
 
 use crate::error::Error;
 use crate::records::{INTERPRETATION_FORMAT, PLAN_FORMAT};
 use serde::Deserialize;
 use staging_dir::{StagingDir, find_newest};
-use std::fs;
-use std::io::{self, ErrorKind};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// The plan. This file or the next one identifies a folder of results.
@@ -88,10 +90,22 @@ pub fn path_in_results(name: &str) -> PathBuf {
     Path::new(subfolder(name)).join(name)
 }
 
-/// An unfinished file, which appears at its target complete or not at all.
+/// Ending of a file that is not complete yet.
+const PART_ENDING: &str = ".part";
+
+/// An unfinished file, which appears at its target complete or not at all. An interruption removes it; if the process is
+/// killed, the next file in the same folder does.
 pub struct OutputFile {
     target: PathBuf,
+    /// `None` for a target that is no regular file, such as `/dev/stdout`, which is written in place.
+    part: Option<Part>,
+}
+
+/// A file beside its target, locked as long as it is written.
+struct Part {
+    // Dropped in this order: the file is removed while it is guarded.
     file: tempfile::NamedTempFile,
+    unfinished: Unfinished,
 }
 
 impl OutputFile {
@@ -107,15 +121,15 @@ impl OutputFile {
                 OTHER_FILE,
             ));
         }
-        let folder = match target.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        let file = tempfile::NamedTempFile::new_in(folder)
-            .map_err(|error| cannot_write(target, &error))?;
+        // The file behind a link is replaced, not the link.
+        let target = target.canonicalize().unwrap_or_else(|_| target.to_owned());
+        if target.exists() && !target.is_file() {
+            return Ok(Self { target, part: None });
+        }
+        let part = Part::begin(&target).map_err(|error| cannot_write_file(&target, &error))?;
         Ok(Self {
-            target: target.to_path_buf(),
-            file,
+            target,
+            part: Some(part),
         })
     }
 
@@ -124,29 +138,172 @@ impl OutputFile {
     /// # Errors
     /// If the file cannot be written.
     pub fn finish(self, contents: &[u8]) -> Result<(), Error> {
-        let Self { target, file } = self;
-        let failed = |error: io::Error| cannot_write(&target, &error);
-        fs::write(file.path(), contents).map_err(failed)?;
-        file.persist(&target).map_err(|error| failed(error.error))?;
+        let Self { target, part } = self;
+        let failed = |error: io::Error| cannot_write_file(&target, &error);
+        let Some(Part {
+            mut file,
+            unfinished,
+        }) = part
+        else {
+            return fs::write(&target, contents).map_err(failed);
+        };
+        file.write_all(contents).map_err(failed)?;
+        let placed = unfinished.place(|| file.persist(&target));
+        placed.map_err(|error| failed(error.error))?;
         Ok(())
     }
 }
 
+impl Part {
+    fn begin(target: &Path) -> io::Result<Self> {
+        let folder = match target.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        // Another process must not take a file that is not locked yet for one that a killed process has left.
+        let _turn = File::open(folder).and_then(|folder| folder.lock().map(|()| folder));
+        remove_dead_parts(folder);
+        let name = target.file_name().unwrap_or_default().to_string_lossy();
+        let (file, unfinished) = Unfinished::create(|| {
+            let file = new_part(folder, &format!(".{name}."))?;
+            let path = file.path().to_owned();
+            io::Result::Ok((file, vec![path]))
+        })?;
+        // Without locks, a killed process's file stays.
+        let _ = file.as_file().try_lock();
+        Ok(Self { file, unfinished })
+    }
+}
+
+/// Makes a file that others may read, as the process's mask of permissions allows.
+fn new_part(folder: &Path, prefix: &str) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder
+        .prefix(prefix)
+        .suffix(PART_ENDING)
+        .tempfile_in(folder)
+}
+
+/// Removes the unfinished files of killed processes in a folder. Files that cannot be removed stay.
+fn remove_dead_parts(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        // As `Part::begin` names them: .NAME.RANDOM.part
+        let random = name.strip_suffix(PART_ENDING);
+        let random = random.and_then(|name| name.strip_prefix('.')?.rsplit_once('.'));
+        if random.is_none_or(|(_, random)| random.len() != RANDOM_LEN) {
+            continue;
+        }
+        let path = entry.path();
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if is_file && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+/// Number of random characters in the name of an unfinished file.
+const RANDOM_LEN: usize = 6;
+
+/// A folder that is written aside and appears at its target complete or not at all. An interruption removes it; if the
+/// process is killed, the next folder for the same target does.
+pub struct NewFolder {
+    target: PathBuf,
+    staging: StagingDir,
+    /// Dropped after `staging`, which they contain.
+    _made: MadeFolders,
+}
+
+impl NewFolder {
+    /// Begins a folder for `target`, which must not exist.
+    ///
+    /// # Errors
+    /// If the target exists, another process writes it, or the folder cannot be written.
+    pub fn begin(target: &Path) -> Result<Self, Error> {
+        let target = resolved(target)?;
+        if target.exists() {
+            return Err(refused(&target, "it exists already", OTHER_FOLDER));
+        }
+        let (staging, _, made) = begin_staging(&target, Leftover::Remove)?;
+        Ok(Self {
+            target,
+            staging,
+            _made: made,
+        })
+    }
+
+    /// Path at which the caller writes the folder, which does not exist yet.
+    pub fn path(&self) -> PathBuf {
+        self.staging.path().join(replacement::NEW)
+    }
+
+    /// Moves the folder to its target.
+    ///
+    /// # Errors
+    /// If the folder cannot be moved, or the target exists meanwhile.
+    pub fn finish(self) -> Result<(), Error> {
+        let Self {
+            target, staging, ..
+        } = self;
+        if target.exists() {
+            return Err(refused(&target, "it exists already", OTHER_FOLDER));
+        }
+        let moved = staging.place(|staging| fs::rename(staging.join(replacement::NEW), &target));
+        moved.map_err(|error| cannot_write(&target, &error))
+    }
+}
+
+/// Makes the parents of a target, and a staging folder beside it.
+fn begin_staging(
+    target: &Path,
+    leftover: Leftover,
+) -> Result<(StagingDir, KilledRuns, MadeFolders), Error> {
+    let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
+        return Err(refused(
+            target,
+            "results cannot replace this folder",
+            OTHER_FOLDER,
+        ));
+    };
+    let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
+    let begun = StagingDir::begin(parent, &name.to_string_lossy(), leftover, target);
+    let (staging, found) = begun.map_err(|error| match error.kind() {
+        ErrorKind::ResourceBusy => refused(
+            target,
+            "another wisch process is writing results there",
+            "wait for it, or choose another folder with --out",
+        ),
+        _ => cannot_write(parent, &error),
+    })?;
+    Ok((staging, found, made))
+}
+
 /// Parent folders that were created for a target. When dropped, it removes those that are still empty.
-struct MadeFolders(Vec<PathBuf>);
+struct MadeFolders {
+    folders: Vec<PathBuf>,
+    _unfinished: Unfinished,
+}
 
 impl MadeFolders {
     fn make(folder: &Path) -> io::Result<Self> {
         let missing = folder.ancestors().take_while(|folder| !folder.exists());
-        let missing = missing.map(Path::to_path_buf).collect();
-        fs::create_dir_all(folder)?;
-        Ok(Self(missing))
+        let missing: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+        // An interruption removes them if they are empty.
+        let parents = missing.iter().map(|folder| folder.join("")).collect();
+        let ((), unfinished) =
+            Unfinished::create(|| fs::create_dir_all(folder).map(|()| ((), parents)))?;
+        Ok(Self {
+            folders: missing,
+            _unfinished: unfinished,
+        })
     }
 }
 
 impl Drop for MadeFolders {
     fn drop(&mut self) {
-        for folder in &self.0 {
+        for folder in &self.folders {
             // Folders with contents stay.
             let _ = fs::remove_dir(folder);
         }
@@ -198,25 +355,7 @@ impl OutputFolder {
                 "choose another folder with --out, or replace it with --force",
             ));
         }
-        let (Some(parent), Some(name)) = (target.parent(), target.file_name()) else {
-            return Err(refused(
-                &target,
-                "results cannot replace this folder",
-                OTHER_FOLDER,
-            ));
-        };
-        let made = MadeFolders::make(parent).map_err(|error| cannot_write(parent, &error))?;
-        let (staging, found) =
-            StagingDir::begin(parent, &name.to_string_lossy(), leftover, &target).map_err(
-                |error| match error.kind() {
-                    ErrorKind::ResourceBusy => refused(
-                        &target,
-                        "another wisch process is writing results there",
-                        "wait for it, or choose another folder with --out",
-                    ),
-                    _ => cannot_write(parent, &error),
-                },
-            )?;
+        let (staging, found, made) = begin_staging(&target, leftover)?;
         let folder = Self {
             target,
             staging,
@@ -244,9 +383,9 @@ impl OutputFolder {
         &self.found
     }
 
-    /// The folder, beside the target, that holds results and checkpoints until they are complete.
-    pub fn staging_path(&self) -> &Path {
-        self.staging.path()
+    /// Lets an interruption keep the checkpoints from now on, so that the run can be resumed.
+    pub fn keep_if_interrupted(&self) {
+        self.staging.keep_if_interrupted();
     }
 
     /// The folder of the run's checkpoints.
@@ -296,10 +435,10 @@ impl OutputFolder {
         }
         // The target may have changed since the beginning.
         check_replaceable(&self.target)?;
-        replacement::put_in_place(self.staging.path(), &self.target)
-            .map_err(|error| cannot_write(&self.target, &error))?;
-        self.staging.remove();
-        Ok(())
+        let target = &self.target;
+        (self.staging)
+            .place(|staging| replacement::put_in_place(staging, target))
+            .map_err(|error| cannot_write(target, &error))
     }
 
     fn new_path(&self) -> PathBuf {
@@ -404,7 +543,7 @@ fn is_result_file(name: &str) -> bool {
     fixed.contains(&of_first_round(name).as_str()) || is_bag || is_picture
 }
 
-const OTHER_FILE: &str = "choose another file with --out";
+const OTHER_FILE: &str = "choose another file";
 const OTHER_FOLDER: &str = "choose another folder with --out";
 const MOVE_AWAY: &str = "choose another folder with --out, or move this one away";
 
@@ -414,6 +553,10 @@ fn refused(path: &Path, problem: impl ToString, help: &'static str) -> Error {
         problem: problem.to_string(),
         help,
     }
+}
+
+fn cannot_write_file(path: &Path, error: &io::Error) -> Error {
+    refused(path, format!("cannot write there: {error}"), OTHER_FILE)
 }
 
 fn cannot_write(path: &Path, error: &io::Error) -> Error {
@@ -441,5 +584,67 @@ mod tests {
         }
         assert!(is_result_file("round-2.mcap") && is_result_file("round-2.mcap.active"));
         assert!(!is_result_file("notes-round-2.txt"));
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("a folder");
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = names.map(|name| name.to_string_lossy().into()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_that_is_written_aside_removes_only_those_of_dead_processes() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let living = OutputFile::begin(&folder.path().join("a.txt")).expect("a file");
+        let [of_living] = &names(folder.path())[..] else {
+            panic!("one file");
+        };
+        for name in [".b.txt.x1y2z3.part", ".notes.part"] {
+            fs::write(folder.path().join(name), "half").expect("a file");
+        }
+        let dropped = OutputFile::begin(&folder.path().join("c.txt")).expect("a file");
+        assert_eq!(names(folder.path()).len(), 3);
+        assert!(folder.path().join(of_living).exists());
+        drop(dropped);
+        living.finish(b"whole").expect("in place");
+        assert_eq!(names(folder.path()), [".notes.part", "a.txt"]);
+    }
+
+    #[test]
+    fn a_folder_that_is_written_aside_appears_whole_and_takes_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let target = folder.path().join("deep/new");
+        let dropped = NewFolder::begin(&target).expect("a folder");
+        fs::create_dir(dropped.path()).expect("a folder");
+        drop(dropped);
+        assert_eq!(names(folder.path()), [] as [&str; 0]);
+        let new = NewFolder::begin(&target).expect("a folder");
+        fs::create_dir(new.path()).expect("a folder");
+        fs::write(new.path().join("file"), "whole").expect("a file");
+        new.finish().expect("in place");
+        assert_eq!(names(&folder.path().join("deep")), ["new"]);
+        let Err(error) = NewFolder::begin(&target) else {
+            panic!("it exists");
+        };
+        assert!(error.to_string().contains("it exists already"), "{error}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_and_devices_are_written_and_not_replaced() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [link, file] = ["link", "file"].map(|name| folder.path().join(name));
+        fs::write(&file, "old").expect("a file");
+        std::os::unix::fs::symlink(&file, &link).expect("a link");
+        let begun = OutputFile::begin(&link).expect("a file");
+        begun.finish(b"new").expect("in place");
+        assert!(link.is_symlink());
+        assert_eq!(fs::read(&file).expect("a file"), b"new");
+        let null = Path::new("/dev/null");
+        let begun = OutputFile::begin(null).expect("a device");
+        begun.finish(b"new").expect("written");
+        assert!(!null.is_file());
     }
 }

@@ -1,5 +1,6 @@
 //! The hidden staging folder in which results are written, and the staging folders of killed runs.
 
+use super::Unfinished;
 use super::replacement::{Left, complete};
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -35,6 +36,8 @@ pub(super) struct StagingDir {
     path: PathBuf,
     removes: bool,
     _lock: File,
+    /// `None` for a folder of a killed run. Dropped after the folder is removed.
+    unfinished: Option<Unfinished>,
 }
 
 impl StagingDir {
@@ -93,11 +96,15 @@ impl StagingDir {
 
     fn new(parent: &Path, prefix: &str) -> io::Result<Self> {
         loop {
-            let folder = tempfile::Builder::new().prefix(prefix).tempdir_in(parent)?;
-            let path = folder.keep();
+            let (path, unfinished) = Unfinished::create(|| {
+                let folder = tempfile::Builder::new().prefix(prefix).tempdir_in(parent)?;
+                let path = folder.keep();
+                io::Result::Ok((path.clone(), vec![path]))
+            })?;
             let lock = File::create(path.join(LOCK_FILE))?;
             lock.lock()?;
-            let place = Self::locked(path, lock);
+            let mut place = Self::locked(path, lock);
+            place.unfinished = Some(unfinished);
             // Between creating and locking, another process may have removed the folder as a leftover.
             if place.path.join(LOCK_FILE).is_file() {
                 return Ok(place);
@@ -110,12 +117,28 @@ impl StagingDir {
             path,
             removes: true,
             _lock: lock,
+            unfinished: None,
         }
     }
 
-    /// Removes the folder, also one that was taken over.
-    pub fn remove(mut self) {
+    /// Moves its contents to their place, and removes the folder, also one that was taken over.
+    ///
+    /// # Errors
+    /// The error of `moved`; then a folder that was taken over stays.
+    pub fn place(mut self, moved: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+        match self.unfinished.take() {
+            Some(unfinished) => unfinished.place(|| moved(&self.path)),
+            None => moved(&self.path),
+        }?;
         self.removes = true;
+        Ok(())
+    }
+
+    /// Lets an interruption keep the folder from now on.
+    pub fn keep_if_interrupted(&self) {
+        if let Some(unfinished) = &self.unfinished {
+            unfinished.keep();
+        }
     }
 
     /// Path of the folder.
@@ -265,7 +288,8 @@ mod tests {
         assert!(dead.exists());
         let target = parent.path().join("board");
         let again = StagingDir::begin(parent.path(), "board", Leftover::TakeOver, &target);
-        again.expect("a staging folder").0.remove();
+        let (place, _) = again.expect("a staging folder");
+        place.place(|_| Ok(())).expect("in place");
         assert!(!dead.exists());
     }
 }

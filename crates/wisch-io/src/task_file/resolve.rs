@@ -3,6 +3,7 @@
 use super::extent::{check_object, check_tool};
 use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
+use crate::shell::shell_word;
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch::geometry::{
     Atlas, Bounds2, MAX_CHARTS, Mesh, MeshError, MeshFormat, Point2, Polygon, Pose, RIGID_DEPTH,
@@ -193,6 +194,11 @@ impl TaskFile {
         };
         let unusable = |error: SheetError| {
             let radius = config.tool_radius;
+            // The path of the file counts from the task's folder.
+            let mut mesh = shell_word(file);
+            if *scale != 1.0 {
+                mesh += &format!(" --scale {scale}");
+            }
             let advice = match (&error, patch) {
                 // With the radius to the last digit, the command finds the patches of this task.
                 (
@@ -201,9 +207,11 @@ impl TaskFile {
                     | SheetError::Overlapping { .. },
                     None,
                 ) => format!(
-                    "surface.mesh.patch takes a part of it, see wisch surface split --tool-radius {radius}"
+                    "surface.mesh.patch takes a part of it, see wisch surface split {mesh} --tool-radius {radius} in the task's folder"
                 ),
-                _ => format!("wisch surface check --tool-radius {radius} shows more"),
+                _ => format!(
+                    "wisch surface check {mesh} --tool-radius {radius} in the task's folder shows more"
+                ),
             };
             TaskError::File {
                 at: at.clone(),

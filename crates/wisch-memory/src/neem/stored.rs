@@ -7,7 +7,7 @@ use crate::frames::Frames;
 use crate::record::EpisodeRecord;
 use crate::store::Episode;
 use crate::telemetry::{POSE, Telemetry};
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
 use std::collections::BTreeSet;
 use wisch::geometry::Pose;
 use wisch::robot::RobotModel;
@@ -15,11 +15,14 @@ use wisch::robot::RobotModel;
 /// Number of rows in memory at once.
 const ROWS: usize = 10_000;
 
-/// Frame of all poses and wrenches.
+/// Frame of all poses.
 const WORLD: &str = "world";
 
 const FORCE: [&str; 3] = ["fx", "fy", "fz"];
 const TORQUE: [&str; 3] = ["mx", "my", "mz"];
+/// The wrenches of a sample.
+const WRENCHES: [&str; 2] = ["controller", EXTERNAL];
+const EXTERNAL: &str = "external";
 
 /// The source of the poses in a NEEM.
 #[derive(Debug, Clone, Copy)]
@@ -59,40 +62,70 @@ impl NeemWriter {
                 continue;
             }
             let telemetry = episode.telemetry(number)?;
-            self.wrenches_of(&telemetry, start)?;
-            match poses {
-                PoseSource::Tool => self.tool_of(
-                    &telemetry,
-                    start,
-                    related_name(&record, "semco:usesTool", "tool"),
-                )?,
+            let tool = match poses {
+                PoseSource::Tool => {
+                    let tool = related_name(&record, "semco:usesTool", "tool");
+                    self.tool_of(&telemetry, start, tool)?;
+                    tool.to_owned()
+                }
                 PoseSource::Robot(robot) => self.frames_of(&telemetry, start, robot)?,
-            }
+            };
+            self.wrenches_of(&telemetry, start, [&record.id, &tool])?;
         }
         Ok(())
     }
 
-    fn wrenches_of(&mut self, telemetry: &Telemetry, start: f64) -> Result<(), NeemError> {
-        for what in ["controller", "external"] {
+    /// Writes the usable wrenches of a round in the frame of the tool: telemetry has them about its origin, in the world's axes.
+    /// A controller's wrench that is always 0 is not stated, so it is left out.
+    fn wrenches_of(
+        &mut self,
+        telemetry: &Telemetry,
+        start: f64,
+        [episode, tool]: [&str; 2],
+    ) -> Result<(), NeemError> {
+        let qualities = telemetry.wrench_qualities(0..telemetry.rows())?;
+        let unusable = qualities.iter().filter(|quality| !quality.is_usable());
+        self.unusable_wrenches += unusable.count() as u64;
+        for what in WRENCHES {
             let topic = format!("wrench/{what}");
             let named = |parts: &[&str]| -> Vec<String> {
                 parts.iter().map(|part| format!("{what}/{part}")).collect()
             };
-            let mut columns = named(&FORCE);
+            let mut columns: Vec<String> = (POSE.iter())
+                .map(|part| format!("measured/{part}"))
+                .chain(named(&FORCE))
+                .collect();
             let torque = named(&TORQUE);
             if has_all(telemetry, &torque) {
                 columns.extend(torque);
             }
+            let mut is_stated = what == EXTERNAL;
+            if !is_stated {
+                each_row(telemetry, &columns, |_, row| {
+                    is_stated |= row[POSE.len()..].iter().any(|part| *part != 0.0);
+                    Ok(())
+                })?;
+            }
+            let mut place = 0;
             each_row(telemetry, &columns, |time, row| {
-                let Some((&force, torque)) = row.split_first_chunk() else {
+                let is_usable = what != EXTERNAL || qualities[place].is_usable();
+                place += 1;
+                let (pose, wrench) = row.split_at(POSE.len());
+                let Some((force, torque)) = wrench.split_first_chunk::<3>() else {
                     return Ok(());
                 };
+                if !is_stated || !is_usable {
+                    return Ok(());
+                }
+                let tool_from_world = to_pose(pose).rotation.inverse();
+                let in_tool = |part: &[f64; 3]| (tool_from_world * Vector3::from(*part)).into();
                 self.wrench(&WrenchSample {
                     time: start + time,
-                    frame: WORLD,
+                    frame: tool,
+                    episode,
                     topic: &topic,
-                    force,
-                    torque: torque.first_chunk().copied(),
+                    force: in_tool(force),
+                    torque: torque.first_chunk().map(in_tool),
                 })
             })?;
         }
@@ -102,25 +135,22 @@ impl NeemWriter {
     fn tool_of(&mut self, telemetry: &Telemetry, start: f64, tool: &str) -> Result<(), NeemError> {
         let columns = POSE.map(|part| format!("measured/{part}"));
         each_row(telemetry, &columns, |time, row| {
-            let &[x, y, z, qx, qy, qz, qw] = row else {
-                return Ok(());
-            };
-            let rotation = UnitQuaternion::from_quaternion(Quaternion::new(qw, qx, qy, qz));
             self.frame(&FrameSample {
                 time: start + time,
                 frame: tool,
                 parent: WORLD,
-                parent_from_frame: Pose::from_parts(Translation3::new(x, y, z), rotation),
+                parent_from_frame: to_pose(row),
             })
         })
     }
 
+    /// Writes the frames of a round, and returns the name of the tool's.
     fn frames_of(
         &mut self,
         telemetry: &Telemetry,
         start: f64,
         robot: &RobotModel,
-    ) -> Result<(), NeemError> {
+    ) -> Result<String, NeemError> {
         let frames = Frames::new(robot, telemetry)?;
         let scene = frames.scene();
         let mut names = BTreeSet::from([scene.tool.as_str(), &scene.robot, &scene.surface]);
@@ -140,7 +170,19 @@ impl NeemWriter {
                 })?;
             }
             Ok(())
-        })
+        })?;
+        Ok(scene.tool.clone())
+    }
+}
+
+/// Returns the pose of a row with position and quaternion (x, y, z, w).
+fn to_pose(row: &[f64]) -> Pose {
+    match row {
+        &[x, y, z, qx, qy, qz, qw] => {
+            let rotation = UnitQuaternion::from_quaternion(Quaternion::new(qw, qx, qy, qz));
+            Pose::from_parts(Translation3::new(x, y, z), rotation)
+        }
+        _ => Pose::identity(),
     }
 }
 

@@ -50,8 +50,10 @@ pub struct FrameSample<'a> {
 pub struct WrenchSample<'a> {
     /// Time [s since 1970].
     pub time: f64,
-    /// Name of the frame in which the wrench is stated.
+    /// Name of the frame in which the wrench is stated, as in the poses.
     pub frame: &'a str,
+    /// Name of the episode: times of two episodes may overlap.
+    pub episode: &'a str,
     /// Name of the topic, which states the quantity.
     pub topic: &'a str,
     /// Force \[N\].
@@ -73,6 +75,8 @@ pub struct NeemReport {
     pub poses: u64,
     /// Wrenches.
     pub wrenches: u64,
+    /// Samples whose external wrench is left out, because its driver states that it is not usable.
+    pub unusable_wrenches: u64,
     /// Camera observations.
     pub observations: u64,
 }
@@ -106,6 +110,7 @@ pub struct NeemWriter {
     poses: Collection,
     wrenches: Collection,
     pub(super) observations: Collection,
+    pub(super) unusable_wrenches: u64,
     closures: Closures,
     episodes: HashSet<String>,
     frames: HashMap<String, Frame>,
@@ -155,6 +160,7 @@ impl NeemWriter {
             poses: collection("tf")?,
             wrenches: collection("wrench")?,
             observations: collection(OBSERVATIONS)?,
+            unusable_wrenches: 0,
             closures: Closures::default(),
             episodes: HashSet::new(),
             frames: HashMap::new(),
@@ -296,6 +302,7 @@ impl NeemWriter {
                 "time": sample.time,
                 "frame_id": sample.frame,
             },
+            "episode": sample.episode,
             "wrench": wrench,
             "__recorded": date(sample.time),
             "__topic": sample.topic,
@@ -314,6 +321,7 @@ impl NeemWriter {
             annotations: self.annotations.written,
             poses: self.poses.written,
             wrenches: self.wrenches.written,
+            unusable_wrenches: self.unusable_wrenches,
             observations: self.observations.written,
         };
         for collection in [

@@ -34,7 +34,7 @@ const ROUND: usize = 3;
 /// let believed = Belief::from_particles(task.particles.clone());
 /// let config = InterpretConfig::from_task(&task);
 /// let estimate = interpret(&touches, &task, &believed, &goal, &config)?;
-/// let header = EpisodeHeader::new(1_795_309_772.5, 0.95, task.seed, "my program 1.0");
+/// let header = EpisodeHeader::new(1_795_309_772.5, &task, 0.95, "my program 1.0");
 /// let record = remember_log(&header, "log.csv", 1.0, &task, &goal, &estimate);
 /// assert_eq!(record.rounds.len(), 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

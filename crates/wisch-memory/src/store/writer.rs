@@ -39,6 +39,11 @@ impl EpisodeWriter {
         &self.id
     }
 
+    /// Paths of the episode and its lock, which the commit removes. After a kill, the next writer removes them.
+    pub fn unfinished_paths(&self) -> [PathBuf; 2] {
+        [self.folder.clone(), self.memory.lock_place(&self.id)]
+    }
+
     /// Begins the telemetry of a round, counted from 1, which must be finished before the commit.
     ///
     /// # Errors

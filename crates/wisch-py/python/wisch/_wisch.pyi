@@ -661,7 +661,7 @@ class Memory:
         """Answer a query in Prolog, such as ``low_performance(Action, P)``: returns a dict per answer, from the names of
         its variables to values. ``wisch ask --list`` lists the predicates. Needs SWI-Prolog or wisch-prolog."""
     def remember(self, session: Session) -> str:
-        """Store the finished rounds of a session as an episode, and return its name."""
+        """Store the finished rounds of a session as an episode, which begins when the session began, and return its name."""
     def telemetry(self, episode: str, round: int = 1, columns: Sequence[str] | None = None) -> dict[str, Floats]:
         """Return columns of an episode's telemetry by name: ``time_s`` and all columns, or the given ones, (T) each."""
 

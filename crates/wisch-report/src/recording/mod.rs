@@ -22,7 +22,7 @@ mod treated;
 mod words;
 
 pub use logged::{LoggedEpisode, LoggedOccurrence, LoggedRobot, LoggedRound, LoggedTask};
-pub use story::{RunFact, RunOutcome};
+pub use story::{CommandOptions, RunFact, RunOutcome};
 
 use crate::prediction::frames::EffectFrames;
 use crate::scene::Meshes;
@@ -33,7 +33,7 @@ use round::RoundPiece;
 use samples::Batch;
 use serde::Serialize;
 use std::io::{self, Write};
-use story::Ended;
+use story::{Ended, Stopping};
 use treated::TreatedPlaces;
 use wisch::follow::{Audit, Workcell};
 use wisch::geometry::Pose;
@@ -133,8 +133,8 @@ pub struct RecordingWriter<W> {
     target: f64,
     /// The places of a treated surface; `None` for dirt.
     treated: Option<TreatedPlaces>,
-    /// Number of the last round whose planning began.
-    begun: usize,
+    /// How the session came to its end.
+    stopping: Stopping,
 }
 
 impl<W: Write> RecordingWriter<W> {
@@ -151,7 +151,7 @@ impl<W: Write> RecordingWriter<W> {
             batch: Batch::default(),
             target: 0.0,
             treated: None,
-            begun: 0,
+            stopping: Stopping::Failed,
         }
     }
 
@@ -213,7 +213,6 @@ impl<W: Write> RecordingWriter<W> {
     pub fn record_event(&mut self, event: &RunEvent<'_>) -> io::Result<()> {
         match *event {
             RunEvent::Planning { round } => {
-                self.begun = round;
                 self.frames = None;
                 self.considered.clear();
                 self.stage(round, "planning", "planning".to_owned())
@@ -275,7 +274,13 @@ impl<W: Write> RecordingWriter<W> {
                 let piece = Interpreted::new(round, self.target, self.treated.as_ref());
                 write(&mut self.output, &piece)
             }
-            RunEvent::Ended(_) => Ok(()),
+            RunEvent::Ended(verdict) => {
+                self.stopping = match verdict {
+                    Some(_) => Stopping::Decided,
+                    None => Stopping::Interrupted,
+                };
+                Ok(())
+            }
         }
     }
 
@@ -310,7 +315,10 @@ impl<W: Write> RecordingWriter<W> {
     /// # Errors
     /// If the output cannot be written.
     pub fn end(&mut self, outcome: &RunOutcome<'_>, episode: Option<&str>) -> io::Result<()> {
-        write(&mut self.output, &Ended::new(outcome, self.begun, episode))
+        write(
+            &mut self.output,
+            &Ended::new(outcome, self.stopping, episode),
+        )
     }
 
     fn executing(&mut self, planned: &PlannedRound) -> io::Result<()> {

@@ -35,8 +35,34 @@ pub struct RunOutcome<'a> {
     /// The task as arguments of a command in a shell: its path, or the name of its scenario, and its settings; `None` if
     /// no file has the task.
     pub task_arguments: Option<&'a str>,
+    /// The other options of the run; `None` if they are unknown.
+    pub options: Option<&'a CommandOptions>,
     /// What the robot does after a stop that does not continue by itself.
     pub after_stop: AfterStop,
+}
+
+/// Options of a run beside its task, as words of a shell, for the commands that a user may give next.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct CommandOptions {
+    /// Options of `wisch run`, without the limit of rounds.
+    pub run: String,
+    /// The limit of rounds, as an option of `wisch run`.
+    pub rounds: String,
+    /// Options that `wisch check` accepts, too.
+    pub check: String,
+    /// Options that `wisch plan` accepts, too.
+    pub plan: String,
+}
+
+/// How a session came to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stopping {
+    /// The policy decided so, or the limit of rounds is reached.
+    Decided,
+    /// The observer stopped the session.
+    Interrupted,
+    /// A stage failed, or the session was left.
+    Failed,
 }
 
 #[derive(Serialize)]
@@ -77,12 +103,15 @@ impl NextStep {
 }
 
 impl<'a> Ended<'a> {
-    /// `begun`: number of the last round whose planning began.
-    pub(super) fn new(outcome: &RunOutcome<'a>, begun: usize, episode: Option<&'a str>) -> Self {
+    pub(super) fn new(
+        outcome: &RunOutcome<'a>,
+        stopping: Stopping,
+        episode: Option<&'a str>,
+    ) -> Self {
         let task = words::describe_task(outcome.task, outcome.target);
         let story = match outcome.last {
             Some((last, rounds)) => {
-                let end = RunEnd::of(outcome, last, begun);
+                let end = RunEnd::of(outcome, last, stopping);
                 summarise_execution(outcome, task, (last, rounds), end)
             }
             None => summarise_prediction(outcome, task),
@@ -93,7 +122,7 @@ impl<'a> Ended<'a> {
             verdict: outcome.last.map(|(last, _)| last.verdict.as_str()),
             badge: outcome.last.map(|(last, _)| {
                 let goal = assess_goal(last.verdict, &last.interpretation, outcome.target);
-                RunEnd::of(outcome, last, begun).badge(goal)
+                RunEnd::of(outcome, last, stopping).badge(goal)
             }),
             story,
             facts: outcome.facts,
@@ -115,13 +144,14 @@ enum RunEnd {
     Stopped,
     /// The robot stopped itself, and waits.
     ProtectiveStop,
-    /// The run ended before its next round.
+    /// The operator interrupted the run before its next round.
     Interrupted,
+    /// The run ended before its next round.
+    EndedEarly,
 }
 
 impl RunEnd {
-    /// `begun`: number of the last round whose planning began.
-    fn of(outcome: &RunOutcome<'_>, last: &Round, begun: usize) -> Self {
+    fn of(outcome: &RunOutcome<'_>, last: &Round, stopping: Stopping) -> Self {
         let claim = Claim::assess(&last.interpretation.distribution, outcome.target);
         match (last.verdict, &last.execution.ending) {
             (Verdict::Again, Ending::Stopped) if outcome.after_stop == AfterStop::Wait => {
@@ -132,8 +162,11 @@ impl RunEnd {
             {
                 Self::ProtectiveStop
             }
-            (Verdict::Again, _) if begun > last.motion.number => Self::Interrupted,
-            (Verdict::Again, _) => Self::NoRoundsLeft,
+            (Verdict::Again, _) => match stopping {
+                Stopping::Decided => Self::NoRoundsLeft,
+                Stopping::Interrupted => Self::Interrupted,
+                Stopping::Failed => Self::EndedEarly,
+            },
             (Verdict::NothingToGain, _) if claim.holds() => Self::TooManyPasses,
             (verdict, _) => Self::Verdict(verdict),
         }
@@ -144,7 +177,8 @@ impl RunEnd {
         match (self, goal) {
             (Self::Stopped, _) => "stopped",
             (Self::ProtectiveStop, _) => "protective stop",
-            (Self::Interrupted, _) => "ended early",
+            (Self::Interrupted, _) => "interrupted",
+            (Self::EndedEarly, _) => "ended early",
             (_, Verdict::GoalMet) => "goal met",
             (_, Verdict::Undecidable) => "performance unknown",
             (_, Verdict::UnknowableByTouch) => "undecided by touch",
@@ -163,7 +197,8 @@ impl RunEnd {
         match self {
             Self::Stopped => " The run was stopped.",
             Self::ProtectiveStop => " The robot made a protective stop, and waits.",
-            Self::Interrupted => " The run ended before its next round.",
+            Self::Interrupted => " The operator interrupted the run before its next round.",
+            Self::EndedEarly => " The run ended before its next round.",
             Self::NoRoundsLeft => " The limit of rounds is reached.",
             Self::TooManyPasses => " Too many points have more passes than the task allows.",
             Self::Verdict(Verdict::NoProgress) => " The last round did not raise the estimate.",
@@ -231,57 +266,72 @@ fn summarise_execution(
     }
 }
 
-/// Suggests what to do after a run whose goal is not met, or not known to be met. The recording does not know all options
-/// of the run, such as its robot.
+/// Suggests what to do after a run whose goal is not met, or not known to be met.
 fn suggest_next(
     outcome: &RunOutcome<'_>,
     last: &Round,
     (end, goal): (RunEnd, Verdict),
     rounds: usize,
 ) -> Option<NextStep> {
-    const SIGHT: &str = " --set 'perception.senses=[\"touch\", \"sight\"]'";
+    const SIGHT: &str = "--set 'perception.senses=[\"touch\", \"sight\"]'";
     let sees = last.interpretation.observation.is_some();
-    let more = format!(" --rounds {}", (2 * rounds).min(MOST_ROUNDS));
+    let known = outcome.options.cloned().unwrap_or_default();
+    let again = known.rounds.as_str();
+    let more = format!("--rounds {}", (2 * rounds).min(MOST_ROUNDS));
     let is_unknown = matches!(goal, Verdict::Undecidable | Verdict::UnknowableByTouch);
     let (words, command, options) = match end {
         _ if goal == Verdict::GoalMet => return None,
-        RunEnd::Stopped | RunEnd::Interrupted => ("Repeat the run.", "run", ""),
+        RunEnd::Stopped | RunEnd::Interrupted | RunEnd::EndedEarly => {
+            ("Repeat the run.", "run", [again, ""])
+        }
         RunEnd::ProtectiveStop => (
             "Remove the cause of the stop, then repeat the run.",
             "run",
-            "",
+            [again, ""],
         ),
         // A camera sees dirt, but neither polish nor a coat.
         _ if is_unknown && !sees && outcome.task.treatment.is_none() => (
             "Let a camera observe the surface after each round.",
             "run",
-            SIGHT,
+            [again, SIGHT],
         ),
         _ if goal == Verdict::Undecidable => (
             "Correct what the doubts about the log name, then repeat the run.",
             "run",
-            "",
+            [again, ""],
         ),
-        RunEnd::NoRoundsLeft => ("Allow more rounds.", "run", more.as_str()),
+        RunEnd::NoRoundsLeft => ("Allow more rounds.", "run", ["", more.as_str()]),
         RunEnd::TooManyPasses => {
             return Some(NextStep::in_words("Allow more passes, or plan fewer."));
         }
-        RunEnd::Verdict(Verdict::NoWay | Verdict::UnsafeMotion) => {
-            ("See how much of the plan the robot reaches.", "check", "")
-        }
+        RunEnd::Verdict(Verdict::NoWay | Verdict::UnsafeMotion) => (
+            "See how much of the plan the robot reaches.",
+            "check",
+            ["", ""],
+        ),
         RunEnd::Verdict(Verdict::NoProgress | Verdict::NothingToGain) => (
             "See what every strategy would do, and what it would cost.",
             "plan",
-            " --explain",
+            ["", "--explain"],
         ),
         RunEnd::Verdict(_) => return None,
     };
-    Some(match outcome.task_arguments {
-        Some(task) => NextStep {
-            words: format!("{words} Add the other options of this run, if it had any."),
-            command: Some(format!("wisch {command} {task}{options}")),
+    let Some(task) = outcome.task_arguments else {
+        return Some(NextStep::in_words(words));
+    };
+    let of_run = match command {
+        "check" => &known.check,
+        "plan" => &known.plan,
+        _ => &known.run,
+    };
+    let parts = ["wisch", command, task, of_run].into_iter().chain(options);
+    let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    Some(NextStep {
+        words: match outcome.options {
+            Some(_) => words.to_owned(),
+            None => format!("{words} Add the other options of this run, if it had any."),
         },
-        None => NextStep::in_words(words),
+        command: Some(parts.join(" ")),
     })
 }
 

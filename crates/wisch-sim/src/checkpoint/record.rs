@@ -4,7 +4,7 @@ use crate::{Dirt, Grain, GroundTruth, Spread};
 use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Region};
 use wisch::represent::{Fate, Observation};
-use wisch::robot::Range;
+use wisch::robot::{JointKind, Range};
 use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd};
 
 /// Version of the schema of checkpoint records.
@@ -83,12 +83,16 @@ enum CauseRecord {
         joint: String,
         velocity: f64,
         limit: f64,
+        #[serde(default)]
+        slides: bool,
     },
     Overshoot {
         joint: String,
         position: f64,
         lower: f64,
         upper: f64,
+        #[serde(default)]
+        slides: bool,
     },
     Reported {
         #[serde(default)]
@@ -284,20 +288,24 @@ impl From<&Ending> for EndingRecord {
                     joint,
                     velocity,
                     limit,
+                    kind,
                 } => CauseRecord::Overspeed {
                     joint,
                     velocity,
                     limit,
+                    slides: kind == JointKind::Prismatic,
                 },
                 StopCause::Overshoot {
                     joint,
                     position,
                     limits,
+                    kind,
                 } => CauseRecord::Overshoot {
                     joint,
                     position,
                     lower: limits.lower,
                     upper: limits.upper,
+                    slides: kind == JointKind::Prismatic,
                 },
                 StopCause::Reported { kind, reason } => CauseRecord::Reported {
                     kind: kind.as_str().to_owned(),
@@ -340,20 +348,24 @@ impl From<EndingRecord> for Ending {
                     joint,
                     velocity,
                     limit,
+                    slides,
                 } => StopCause::Overspeed {
                     joint,
                     velocity,
                     limit,
+                    kind: joint_kind(slides),
                 },
                 CauseRecord::Overshoot {
                     joint,
                     position,
                     lower,
                     upper,
+                    slides,
                 } => StopCause::Overshoot {
                     joint,
                     position,
                     limits: Range { lower, upper },
+                    kind: joint_kind(slides),
                 },
                 CauseRecord::Reported { kind, reason } => {
                     let known = StopKind::ALL
@@ -365,6 +377,14 @@ impl From<EndingRecord> for Ending {
                 }
             },
         }
+    }
+}
+
+/// Returns the kind of a joint that moves.
+const fn joint_kind(slides: bool) -> JointKind {
+    match slides {
+        true => JointKind::Prismatic,
+        false => JointKind::Revolute,
     }
 }
 
@@ -391,6 +411,7 @@ mod tests {
                 joint: "elbow".to_owned(),
                 velocity: 4.5,
                 limit: 4.0,
+                kind: JointKind::Prismatic,
             },
             StopCause::Overshoot {
                 joint: "elbow".to_owned(),
@@ -399,6 +420,7 @@ mod tests {
                     lower: -2.0,
                     upper: 2.0,
                 },
+                kind: JointKind::Revolute,
             },
         ];
         let reported = StopKind::ALL.map(|kind| StopCause::Reported {

@@ -7,7 +7,9 @@ use super::locator::Locator;
 use super::observation::{ObservationCollector, is_observation_topic};
 use super::search::{Located, Search, alignment_remark};
 use super::status::from_text;
-use super::topic::{MESH_NOTE, NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE, Topic};
+use super::topic::{
+    FORCE_NOTE, MESH_NOTE, NOTES, ROLE_POSE, ROLE_WRENCH, ROUND_NOTE, TASK_NOTE, Topic,
+};
 use super::unpack::{is_packed, unpack_message};
 use crate::error::ReadFault;
 use crate::frames::Frames;
@@ -47,6 +49,7 @@ pub(crate) struct BagReader<'a> {
     /// Name of the task, if the writer states it.
     task: Option<String>,
     surface_mesh: Option<String>,
+    press_force_n: Option<f64>,
     /// Number of the round, if the writer states it.
     round: Option<usize>,
     looks: ObservationCollector,
@@ -104,6 +107,7 @@ impl<'a> BagReader<'a> {
             joints_ahead: Vec::new(),
             task: None,
             surface_mesh: None,
+            press_force_n: None,
             round: None,
             looks: ObservationCollector::default(),
             qualities: Vec::new(),
@@ -125,6 +129,7 @@ impl<'a> BagReader<'a> {
             Entry::Notes(NOTES, notes) => {
                 self.task = notes.get(TASK_NOTE).cloned();
                 self.surface_mesh = notes.get(MESH_NOTE).cloned();
+                self.press_force_n = notes.get(FORCE_NOTE).and_then(|force| force.parse().ok());
                 self.round = notes.get(ROUND_NOTE).and_then(|round| round.parse().ok());
                 Ok(())
             }
@@ -225,6 +230,7 @@ impl<'a> BagReader<'a> {
             joints: self.joints,
             task: self.task,
             surface_mesh: self.surface_mesh,
+            press_force_n: self.press_force_n,
             round: self.round,
             looks: self.looks.finish(),
             qualities,

@@ -20,6 +20,8 @@ pub(crate) const NOTES: &str = "wisch";
 pub(crate) const TASK_NOTE: &str = "task";
 /// Key of the digest of the surface's mesh.
 pub(crate) const MESH_NOTE: &str = "surface_mesh";
+/// Key of the nominal press force [N].
+pub(crate) const FORCE_NOTE: &str = "press_force_n";
 /// Key of the executed round's number.
 pub(crate) const ROUND_NOTE: &str = "round";
 

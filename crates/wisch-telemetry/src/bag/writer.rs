@@ -184,10 +184,7 @@ impl BagWriter {
             path: active.clone(),
             error,
         })?;
-        let failed = |error| WriteError::Mcap {
-            path: active.clone(),
-            error,
-        };
+        let failed = |error| WriteError::of_mcap(&active, error);
         // Without seeking, each chunk reaches the file as a whole or not at all, which keeps the file of a killed
         // program readable.
         let mut mcap = WriteOptions::new()
@@ -597,10 +594,7 @@ impl BagWriter {
     }
 
     fn failed(&self, error: mcap::McapError) -> WriteError {
-        WriteError::Mcap {
-            path: self.active.clone(),
-            error,
-        }
+        WriteError::of_mcap(&self.active, error)
     }
 }
 

@@ -328,6 +328,7 @@ impl Table<'_> {
             joints: JointPositions::default(),
             task: None,
             surface_mesh: None,
+            press_force_n: None,
             round: None,
             looks: [None, None],
             qualities: Vec::new(),

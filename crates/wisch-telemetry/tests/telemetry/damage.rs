@@ -84,6 +84,21 @@ fn a_bag_without_a_complete_message_is_refused_by_its_cause() {
     );
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported_in_the_words_of_the_system() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("full.mcap");
+    std::os::unix::fs::symlink("/dev/full", active_path(&path)).unwrap();
+    let mut bag = BagWriter::create(&path, head(0)).unwrap();
+    let error = wipe(20.0).write(&mut bag).and_then(|_| bag.finish());
+    let error = error.unwrap_err().to_string();
+    assert!(
+        error.contains("full.mcap.active: No space left on device"),
+        "{error}"
+    );
+}
+
 /// Not an independent test: the process that the next test starts and kills.
 #[test]
 fn a_writer_that_does_not_end_by_itself() {

@@ -2,7 +2,7 @@
 
 use super::{AfterStop, StrokeEnd};
 use crate::follow::Phase;
-use crate::robot::Range;
+use crate::robot::{JointKind, Range};
 use std::fmt;
 
 /// How an execution ended. One that ended early is interpreted up to its end.
@@ -56,7 +56,8 @@ pub enum StopCause {
     },
     /// A joint is too fast.
     #[error(
-        "joint {joint:?} moves at {velocity:.2} rad/s or m/s, more than the limit of {limit:.2}"
+        "joint {joint:?} moves at {velocity:.2} {unit}/s, more than the limit of {limit:.2} {unit}/s",
+        unit = kind.unit()
     )]
     Overspeed {
         /// Name of the joint.
@@ -65,6 +66,8 @@ pub enum StopCause {
         velocity: f64,
         /// The limit [rad/s or m/s].
         limit: f64,
+        /// Kind of the joint, which gives the unit.
+        kind: JointKind,
     },
     /// A reason that the robot reports.
     #[error("{}{reason}", kind.prefix())]
@@ -75,7 +78,12 @@ pub enum StopCause {
         reason: String,
     },
     /// A joint is beyond its limits.
-    #[error("joint {joint:?} is at {position:.2} rad or m, outside its range of {:.2} to {:.2}", limits.lower, limits.upper)]
+    #[error(
+        "joint {joint:?} is at {position:.2} {unit}, outside its range of {:.2} to {:.2} {unit}",
+        limits.lower,
+        limits.upper,
+        unit = kind.unit()
+    )]
     Overshoot {
         /// Name of the joint.
         joint: String,
@@ -83,6 +91,8 @@ pub enum StopCause {
         position: f64,
         /// Its range [rad or m].
         limits: Range,
+        /// Kind of the joint, which gives the unit.
+        kind: JointKind,
     },
 }
 

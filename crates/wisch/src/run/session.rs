@@ -367,7 +367,9 @@ impl<'a> Session<'a> {
         if round > self.config.max_rounds {
             return Ok(self.end(None, observer));
         }
-        let _ = observer(&RunEvent::Planning { round });
+        if observer(&RunEvent::Planning { round }).is_break() && round > 1 {
+            return Ok(self.end(None, observer));
+        }
         if self.config.sight.is_some() && self.first_observation.is_none() {
             self.observe_first(executor, observer)?;
         }

@@ -5,13 +5,13 @@ mod rounds;
 
 use super::interpret::ELSEWHERE_M;
 use super::prepare;
-use super::words::{counted, internal};
+use super::words::counted;
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{Outcome, print, remark};
+use crate::terminal::{Outcome, print, print_json, remark};
 use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
-use rounds::{KnownRounds, RecordedRound, Recording, recordings};
+use rounds::{KnownRounds, RecordedRound, Recording, learned_nothing, recordings};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
@@ -19,7 +19,7 @@ use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
 use wisch::learn::{
     GUESSES, LawObservations, LearnConfig, LearnedLaw, ObservedRound, learn as fitted,
 };
-use wisch::represent::{Interaction, KnowledgeBase, Task};
+use wisch::represent::{Interaction, KnowledgeBase, SurfaceScope, Task};
 use wisch_io::{
     InteractionRevision, KeptFiles, KnowledgeSource, LoadedTask, OutputFile, RevisedFile,
     shipped_scenarios,
@@ -36,6 +36,8 @@ struct Evidence {
     rounds: Vec<ObservedRound>,
     /// Folders of the runs and episodes that contain the rounds.
     runs: Vec<PathBuf>,
+    /// Number of bags that do not state their press force.
+    undeclared: usize,
 }
 
 /// Reads bags and episodes, fits their interaction laws, and writes entries for the knowledge base.
@@ -90,8 +92,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
             .collect(),
     };
     if args.json {
-        let line = serde_json::to_string(&record).map_err(internal)?;
-        print(&(line + "\n"))?;
+        print_json(&record)?;
     } else if args.diff {
         print(&diff)?;
     } else if !global.quiet {
@@ -205,31 +206,95 @@ impl Tasks {
     }
 }
 
+/// Collects the observed rounds of each law. An episode that nobody has named is left out with a note if its law cannot be learned.
 fn evidence(
     recordings: &[Recording],
     tasks: &mut Tasks,
     knowledge: &KnowledgeBase,
     progress: &Progress,
 ) -> Result<Vec<Evidence>, Failure> {
-    let count: usize = recordings.iter().map(|run| run.sources.len()).sum();
-    let mut done = 0;
+    let mut reader = EvidenceReader {
+        tasks,
+        knowledge,
+        progress,
+        count: recordings.iter().map(|run| run.sources.len()).sum(),
+        done: 0,
+        known: KnownRounds::default(),
+    };
     let mut laws: BTreeMap<[String; 3], Evidence> = BTreeMap::new();
-    let mut known = KnownRounds::default();
     for run in recordings {
+        let found = match reader.read(run) {
+            Err(why) if run.is_optional => {
+                progress.aside(|| remark(&format!("left out: {why}")));
+                continue;
+            }
+            found => found?,
+        };
+        for one in found {
+            let Interaction {
+                tool,
+                medium,
+                surface,
+                ..
+            } = &one.interaction;
+            let key = [tool.clone(), medium.clone(), surface.to_string()];
+            match laws.get_mut(&key) {
+                Some(evidence) => {
+                    evidence.rounds.extend(one.rounds);
+                    evidence.runs.extend(one.runs);
+                    evidence.undeclared += one.undeclared;
+                }
+                None => {
+                    laws.insert(key, one);
+                }
+            }
+        }
+    }
+    if laws.is_empty() {
+        return Err(learned_nothing(recordings.len()));
+    }
+    for evidence in laws.values().filter(|evidence| evidence.undeclared > 0) {
+        let force = evidence.interaction.press_force_n;
+        let count = counted(evidence.undeclared, "bag");
+        progress.aside(|| {
+            remark(&format!(
+                "{count} of an earlier version do not state the press force: the task's, {force} N, is assumed"
+            ));
+        });
+    }
+    Ok(laws.into_values().collect())
+}
+
+/// Reads the observed rounds of runs.
+struct EvidenceReader<'a, 'b> {
+    tasks: &'a mut Tasks,
+    knowledge: &'a KnowledgeBase,
+    progress: &'a Progress,
+    /// Number of rounds, and of those that were read.
+    count: usize,
+    done: usize,
+    known: KnownRounds<'b>,
+}
+
+impl<'b> EvidenceReader<'_, 'b> {
+    /// Reads the rounds of a run, by task.
+    fn read(&mut self, run: &'b Recording) -> Result<Vec<Evidence>, Failure> {
         let mut rounds: BTreeMap<String, Vec<RecordedRound>> = BTreeMap::new();
         for source in &run.sources {
-            done += 1;
+            self.done += 1;
             let place = source.place();
-            progress.say(format!(
-                "reading round {done} of {count}: {}",
+            self.progress.say(format!(
+                "reading round {} of {}: {}",
+                self.done,
+                self.count,
                 place.display()
             ));
             let Some(round) = source.read()? else {
                 continue;
             };
             round.observations_of_both()?;
-            if let Some(earlier) = known.find(source, &round)? {
-                progress.aside(|| {
+            if let Some(earlier) = self.known.find(source, &round)? {
+                self.progress.aside(|| {
                     remark(&format!(
                         "counted once: {} holds the same round as {}",
                         place.display(),
@@ -240,32 +305,45 @@ fn evidence(
             }
             let key = match source.task() {
                 Some(key) => key.to_owned(),
-                None => tasks.of("bag", &place, round.task.as_deref())?,
+                None => self.tasks.of("bag", &place, round.task.as_deref())?,
             };
             rounds.entry(key).or_default().push(round);
         }
+        let mut found = Vec::new();
         for (key, mut rounds) in rounds {
-            let prepared = &tasks.known[&key];
+            let prepared = &self.tasks.known[&key];
             rounds.sort_by_key(|round| round.number);
-            let interaction = known_interaction(prepared, knowledge, &rounds[0].place)?;
-            let key = [
-                interaction.tool.clone(),
-                interaction.medium.clone(),
-                interaction.surface.to_string(),
-            ];
-            let evidence = laws.entry(key).or_insert_with(|| Evidence {
+            let interaction = known_interaction(prepared, self.knowledge, &rounds[0].place)?;
+            for round in &rounds {
+                check_force(prepared, round)?;
+            }
+            let is_undeclared =
+                |round: &&RecordedRound| round.task.is_some() && round.press_force_n.is_none();
+            found.push(Evidence {
                 interaction,
                 collision_radius: prepared.task.tool.collision_radius(),
-                rounds: Vec::new(),
-                runs: Vec::new(),
+                undeclared: rounds.iter().filter(is_undeclared).count(),
+                rounds: seen_rounds(prepared, rounds, self.progress)?,
+                runs: vec![run.folder.clone()],
             });
-            evidence
-                .rounds
-                .extend(seen_rounds(prepared, rounds, progress)?);
-            evidence.runs.push(run.folder.clone());
         }
+        Ok(found)
     }
-    Ok(laws.into_values().collect())
+}
+
+/// Checks that a round was recorded with the press force of its task. A law holds for one force, so rounds of several forces
+/// are not pooled.
+fn check_force(prepared: &LoadedTask, round: &RecordedRound) -> Result<(), Failure> {
+    let nominal = prepared.task.interaction.press_force_n;
+    match round.press_force_n {
+        Some(force) if force != nominal => Err(Failure::new(format!(
+            "the round was recorded with a press force of {force} N, but task {:?} has interaction.press_force_n = {nominal} N; a law holds for one force",
+            prepared.task.name
+        ))
+        .within(&round.place)
+        .with_help("learn from rounds of one force: the force of the task and of the knowledge base")),
+        _ => Ok(()),
+    }
 }
 
 /// Returns the knowledge base's interaction of a task's tool, medium and surface.
@@ -287,14 +365,28 @@ fn known_interaction(
             task.action
         )));
     }
-    let known = knowledge
-        .interaction(&task.tool.name, &task.medium, &task.surface.name)
-        .map_err(|error| {
-            Failure::new(error)
-                .within(place)
-                .with_help("add the task's own definitions to a knowledge base and give it with --knowledge DIR")
-        })?;
     let used = &task.interaction;
+    let (tool, medium) = (&task.tool.name, &task.medium);
+    // A surface that only the task defines is wiped by an interaction for any surface.
+    let is_for_any = |known: &&Interaction| {
+        let names = [&known.tool, &known.medium];
+        names == [tool, medium] && known.surface == SurfaceScope::Any
+    };
+    let known = match used.surface {
+        SurfaceScope::Any if knowledge.surface(&task.surface.name).is_err() => {
+            knowledge.interactions().find(is_for_any)
+        }
+        _ => None,
+    };
+    let known = known.map_or_else(
+        || knowledge.interaction(tool, medium, &task.surface.name),
+        Ok,
+    );
+    let known = known.map_err(|error| {
+        Failure::new(error).within(place).with_help(
+            "add the task's own definitions to a knowledge base and give it with --knowledge DIR",
+        )
+    })?;
     for (key, used, known) in [
         ("press_force_n", used.press_force_n, known.press_force_n),
         (

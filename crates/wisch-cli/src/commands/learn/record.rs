@@ -28,6 +28,8 @@ pub(super) struct LawRecord {
     tool: String,
     medium: String,
     surface: String,
+    /// Nominal press force of all rounds [N].
+    press_force_n: f64,
     rounds: usize,
     runs: usize,
     particles: usize,
@@ -58,6 +60,7 @@ pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
         tool,
         medium,
         surface,
+        press_force_n,
         likelihood,
         redraw,
         ..
@@ -77,6 +80,7 @@ pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
         tool: tool.clone(),
         medium: medium.clone(),
         surface: surface.to_string(),
+        press_force_n: *press_force_n,
         rounds: law.rounds,
         runs: evidence.runs.len(),
         particles: law.particles,
@@ -121,6 +125,10 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
                     "permanent with a probability of {}",
                     percent(law.kept_share)
                 ),
+            ),
+            (
+                "press force",
+                format!("{} N in every round", law.press_force_n),
             ),
             (
                 "from",

@@ -22,6 +22,8 @@ pub(super) struct Recording {
     pub folder: PathBuf,
     /// The rounds.
     pub sources: Vec<Source>,
+    /// Whether nobody has named it, so that it is left out if its law cannot be learned.
+    pub is_optional: bool,
 }
 
 /// The recording of a round.
@@ -46,6 +48,8 @@ pub(super) struct RecordedRound {
     pub task: Option<String>,
     /// Digest of the mesh of the surface, if a bag states it.
     pub surface_mesh: Option<String>,
+    /// Nominal press force [N], if a bag states it.
+    pub press_force_n: Option<f64>,
     /// Number of the round in its run, from 1, if the file states it.
     pub number: Option<usize>,
     /// Tool poses and measured forces.
@@ -89,6 +93,7 @@ impl Source {
                     place: path.clone(),
                     task: log.task,
                     surface_mesh: log.surface_mesh,
+                    press_force_n: log.press_force_n,
                     number: log.round,
                     samples: log.samples,
                     world_from_surface: log.world_from_surface,
@@ -128,6 +133,7 @@ impl Source {
                     place,
                     task: None,
                     surface_mesh: None,
+                    press_force_n: None,
                     number: Some(round.unwrap_or(*number)),
                     samples,
                     world_from_surface,
@@ -215,6 +221,7 @@ pub(super) fn recordings(
         .map(|(folder, bags)| Recording {
             folder,
             sources: bags.into_iter().map(Source::Bag).collect(),
+            is_optional: false,
         })
         .collect();
     if args.memory.is_none() && args.episodes.is_empty() {
@@ -235,19 +242,26 @@ pub(super) fn recordings(
         for id in &ids {
             let episode = memory.episode(id).map_err(broken)?;
             match recording(episode, tasks)? {
-                Ok(recording) => recordings.push(recording),
+                Ok(recording) => recordings.push(Recording {
+                    is_optional: true,
+                    ..recording
+                }),
                 Err(why) => progress.aside(|| remark(&format!("left out: {why}"))),
             }
         }
         if recordings.is_empty() {
-            let count = counted(ids.len(), "episode");
-            let problem = format!("none of {count} can be learned from");
-            return Err(Failure::new(problem).within(&folder).with_help(
-                "give the executed task with --task FILE; camera observations need perception.senses = [\"touch\", \"sight\"] in the task",
-            ));
+            return Err(learned_nothing(ids.len()).within(&folder));
         }
     }
     Ok(recordings)
+}
+
+/// The error that no law can be learned from some episodes.
+pub(super) fn learned_nothing(episodes: usize) -> Failure {
+    let count = counted(episodes, "episode");
+    Failure::new(format!("none of {count} can be learned from")).with_help(
+        "give the executed task with --task FILE; camera observations need perception.senses = [\"touch\", \"sight\"] in the task",
+    )
 }
 
 /// Lists the rounds of an episode, or returns the reason why they cannot be learned from.
@@ -284,7 +298,11 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
             Failure::new("the episode has no rounds").within(&folder)
         ));
     }
-    Ok(Ok(Recording { folder, sources }))
+    Ok(Ok(Recording {
+        folder,
+        sources,
+        is_optional: false,
+    }))
 }
 
 /// Lists the bags of the arguments without duplicates, grouped by folder.

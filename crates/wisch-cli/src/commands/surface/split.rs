@@ -12,6 +12,7 @@ use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::Path;
 use wisch::geometry::{Atlas, MAX_CHARTS, Mesh, Point2, Sheet, SheetConfig, SheetError};
+use wisch_io::NewFolder;
 use wisch_report::{PatchesInput, patches_drawing};
 
 /// The schema of the object.
@@ -129,24 +130,19 @@ impl SplitMesh<'_> {
         let cannot = |error: std::io::Error| {
             Failure::new(format!("cannot write there: {error}")).within(out)
         };
-        let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty());
-        let parent = parent.unwrap_or(Path::new("."));
-        std::fs::create_dir_all(parent).map_err(cannot)?;
-        let staging = tempfile::tempdir_in(parent).map_err(cannot)?;
-        write(&staging.path().join("patches.svg"), picture)?;
+        let folder = NewFolder::begin(out)?;
+        let new = folder.path();
+        std::fs::create_dir(&new).map_err(cannot)?;
+        write(&new.join("patches.svg"), picture)?;
         for (index, chart) in atlas.charts().iter().enumerate() {
             let number = index + 1;
-            let file = |ending: &str| staging.path().join(format!("patch-{number}.{ending}"));
+            let file = |ending: &str| new.join(format!("patch-{number}.{ending}"));
             let mesh: Mesh = atlas.patch_mesh(index);
             write(&file("stl"), mesh.to_binary_stl())?;
             let title = format!("{}, patch {number}", self.read.name);
             write(&file("svg"), draw_chart(&title, chart, self.args))?;
         }
-        make_readable(staging.path()).map_err(cannot)?;
-        std::fs::rename(staging.path(), out).map_err(cannot)?;
-        // The folder has moved, so there is nothing to remove.
-        let _ = staging.keep();
-        Ok(())
+        Ok(folder.finish()?)
     }
 
     /// Returns what to do about a problem.
@@ -267,16 +263,4 @@ impl SplitMesh<'_> {
         let text = serde_json::to_string(&record).map_err(internal)?;
         Ok(text + "\n")
     }
-}
-
-/// Gives a new folder the permissions of one that is not temporary.
-#[cfg(unix)]
-fn make_readable(folder: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_: &Path) -> std::io::Result<()> {
-    Ok(())
 }

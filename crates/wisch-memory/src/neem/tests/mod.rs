@@ -235,6 +235,7 @@ fn poses_are_thinned_frame_by_frame() {
     let wrench = WrenchSample {
         time: 1_767_225_600.062_5,
         frame: "sponge",
+        episode: "20260101-crumbs",
         topic: "wrench/external",
         force: [0.0, 0.5, -10.0],
         torque: Some([0.0; 3]),
@@ -269,6 +270,7 @@ fn poses_are_thinned_frame_by_frame() {
     let wrench = &documents(&neem, "wrench")[0];
     let header = wrench.get_document("header").unwrap();
     assert_eq!(header.get_f64("time").ok(), Some(1_767_225_600.062_5));
+    assert_eq!(wrench.get_str("episode").ok(), Some("20260101-crumbs"));
     let force = wrench
         .get_document("wrench")
         .unwrap()
@@ -278,13 +280,13 @@ fn poses_are_thinned_frame_by_frame() {
 }
 
 /// Checksums of the files of an export. Those of triples and annotations change with the ontology; the others were
-/// recorded with an earlier BSON writer, except those of the observations.
+/// recorded with an earlier BSON writer, except those of the observations and wrenches.
 const RECORDED: [(&str, u32); 6] = [
     ("triples", 1_278_370_868),
     ("annotations", 2_252_502_103),
     ("inferred", 0),
     ("tf", 2_541_484_127),
-    ("wrench", 3_300_141_627),
+    ("wrench", 3_417_302_854),
     ("observation", 3_666_954_012),
 ];
 
@@ -308,6 +310,7 @@ fn an_export_has_the_recorded_checksums() {
         let wrench = WrenchSample {
             time,
             frame: "sponge",
+            episode: &pushed_episode().id,
             topic: "wrench/external",
             force: [angle, 0.5, -10.0],
             torque: (step % 2 == 0).then_some([0.25, angle, 0.0]),

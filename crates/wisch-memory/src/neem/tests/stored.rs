@@ -131,6 +131,68 @@ fn a_stored_episode_is_exported_with_poses_and_wrenches() {
 }
 
 #[test]
+fn wrenches_are_in_the_frame_of_the_tool_and_usable() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    let writer = memory.begin(&pushed_episode().id).unwrap();
+    let pose = ["x", "y", "z", "qx", "qy", "qz", "qw"].map(|part| format!("measured/{part}"));
+    let wrenches = ["controller", "external"]
+        .iter()
+        .flat_map(|what| ["fx", "fy", "fz", "mx", "my", "mz"].map(|part| format!("{what}/{part}")));
+    let columns: Vec<String> = pose
+        .into_iter()
+        .chain(wrenches)
+        .chain(["wrench_quality".to_owned()])
+        .collect();
+    let head = TelemetryHead::default();
+    let mut log = writer.telemetry_with_columns(1, head, &columns).unwrap();
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::FreeMotion,
+    };
+    // A quarter turn about y: the tool's z points along the world's x, and its x against the world's z.
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    for (step, quality) in [(0_u8, 0.0), (1, 1.0)] {
+        let row = [
+            &[9.0, 0.0, 0.0, 0.0, half, 0.0, half][..],
+            &[0.0; 6],
+            &[7.0, 0.0, -2.0, 0.0, 0.0, 3.0],
+            &[quality],
+        ];
+        log.push(0.01 * f64::from(step), mark, row.concat())
+            .unwrap();
+    }
+    log.finish().unwrap();
+    writer.commit(&pushed_episode()).unwrap();
+    let neem = folder.path().join("neem");
+    let mut writer = NeemWriter::create(&neem, &meta(), &NeemConfig::default()).unwrap();
+    let episode = memory.episode(&pushed_episode().id).unwrap();
+    writer
+        .write_stored_episode(&episode, PoseSource::Tool)
+        .unwrap();
+    let report = writer.finish().unwrap();
+    // The second sample is stale, and no controller stated a wrench.
+    assert_eq!((report.wrenches, report.unusable_wrenches), (1, 1));
+    let wrench = &documents(&neem, "wrench")[0];
+    assert_eq!(wrench.get_str("__topic").ok(), Some("wrench/external"));
+    assert_eq!(wrench.get_str("episode").ok(), Some(&*pushed_episode().id));
+    let header = wrench.get_document("header").unwrap();
+    let poses = documents(&neem, "tf");
+    assert_eq!(
+        header.get_str("frame_id").ok(),
+        poses[0].get_str("child_frame_id").ok()
+    );
+    let part = |name| {
+        let part = wrench.get_document("wrench").unwrap().get_document(name);
+        ["x", "y", "z"].map(|axis| part.as_ref().unwrap().get_f64(axis).unwrap())
+    };
+    for (name, expected) in [("force", [2.0, 0.0, 7.0]), ("torque", [-3.0, 0.0, 0.0])] {
+        let off = Vector3::from(part(name)) - Vector3::from(expected);
+        assert!(off.norm() < 1e-5, "{name}: {:?}", part(name));
+    }
+}
+
+#[test]
 fn an_invalid_observation_is_reported_with_its_document() {
     let folder = tempfile::tempdir().unwrap();
     let memory = write_stored_episode(folder.path(), &arm());
