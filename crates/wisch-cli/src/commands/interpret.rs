@@ -398,15 +398,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
             },
         ),
         ("surface", surface_in_words(record)),
-        (
-            "force",
-            format!(
-                "{}bias {:+.2} N along the surface normal, subtracted",
-                (record.pressed_force_n)
-                    .map_or_else(String::new, |force| format!("pressed with {force:.1} N; ")),
-                record.force_bias_n
-            ),
-        ),
+        ("force", force_in_words(record)),
         ("events", events_in_words(record)),
     ];
     if let Some(stiffness) = &record.tool_stiffness {
@@ -485,6 +477,17 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let verdict = match record.world_from_surface {
         Some(_) => "localisation error",
         None => "at its believed pose",
+fn force_in_words(record: &InterpretationRecord) -> String {
+    let pressed = (record.pressed_force_n)
+        .map_or_else(String::new, |force| format!("pressed with {force:.1} N; "));
+    match record.force_bias_n {
+        Some(bias) => format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted"),
+        None => {
+            format!("{pressed}bias unknown, because the log shows no calm free motion: 0 N assumed")
+        }
+    }
+}
+
     };
     let fit = record
         .registration
