@@ -364,7 +364,10 @@ impl Interpreter {
             config: &config,
         };
         let mut doubts = evidence.doubts();
-        doubts.extend(self.find_jumps());
+        // In a wrong unit of length, a tool that moves jumps.
+        if !matches!(doubts[..], [Doubt::FarAway { .. }]) {
+            doubts.extend(self.find_jumps());
+        }
         if let Some(doubt) = self.find_unusable() {
             // Wrenches that are not used explain missing contact.
             let place = if classified.plane.is_none() {
