@@ -209,7 +209,7 @@ pub enum ReadFault {
     /// A time is earlier than a previous one by more than the reorder window.
     #[error(
         "{place}: its time of {time} s is {} s earlier than the latest earlier time, {last} s; the limit is {limit} s",
-        .last - .time
+        ((.last - .time) * 1e9).round() / 1e9
     )]
     Backwards {
         /// Name of the message or line.
