@@ -241,7 +241,7 @@ pub enum ReadFault {
     #[error("{0}")]
     Unknown(wisch::represent::UnknownName),
     /// A named topic does not hold the quantity.
-    #[error("topic {topic} of type {kind}: there is no {what}{}", in_field(.field))]
+    #[error("topic {topic} of type {kind}: there is no {what}{}{}", in_field(.field), list_fields(.fields))]
     NotThere {
         /// Name of the topic.
         topic: String,
@@ -251,6 +251,8 @@ pub enum ReadFault {
         field: String,
         /// "pose" or "wrench".
         what: &'static str,
+        /// Every field that holds the quantity; an empty name is the whole message.
+        fields: Vec<String>,
     },
     /// No topic holds the quantity.
     #[error("no topic holds a {what}; the topics are: {}{}", join_names(.topics), and_unread(.unread))]
@@ -523,6 +525,15 @@ fn and_unread(unread: &[String]) -> String {
             let shown = unread[..unread.len().min(TOPICS_SHOWN)].join("; ");
             format!(". Not readable: {shown}")
         }
+    }
+}
+
+/// Lists the fields that hold the quantity, of which an empty name is the whole message.
+fn list_fields(fields: &[String]) -> String {
+    match fields {
+        [] => String::new(),
+        [whole] if whole.is_empty() => "; the whole message is one: name no field".to_owned(),
+        _ => format!("; known: {}", fields.join(", ")),
     }
 }
 
