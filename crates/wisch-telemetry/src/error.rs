@@ -246,13 +246,13 @@ pub enum ReadFault {
         /// Name of the topic.
         topic: String,
         /// Its type.
-        kind: String,
+        kind: Box<str>,
         /// The named field; empty for the whole message.
         field: String,
         /// "pose" or "wrench".
         what: &'static str,
         /// Every field that holds the quantity; an empty name is the whole message.
-        fields: Vec<String>,
+        fields: Box<[String]>,
     },
     /// No topic holds the quantity.
     #[error("no topic holds a {what}; the topics are: {}{}", join_names(.topics), and_unread(.unread))]

@@ -115,10 +115,10 @@ impl<Q: Quantity> Search<Q> {
             };
             return Err(ReadFault::NotThere {
                 topic: channel.topic.clone(),
-                kind: kind.unwrap_or_default(),
+                kind: kind.unwrap_or_default().into(),
                 field: field.to_owned(),
                 what: Q::NAME,
-                fields,
+                fields: fields.into(),
             });
         }
         let shared = |(field, locator)| (field, Rc::new(locator));
