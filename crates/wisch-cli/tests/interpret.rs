@@ -11,6 +11,7 @@ use std::path::Path;
 use tempfile::TempDir;
 use wiping::Wiping;
 use wisch::geometry::{Pose, Vector3};
+use wisch::interpret::TouchSample;
 use wisch_telemetry::{BagHead, BagWriter, LogOptions, active_path, read};
 
 /// A board to be wiped with a sponge; the crumbs lie where the made-up tool passes, and one where it does not.
@@ -336,6 +337,83 @@ fn what_is_odd_about_a_log_is_said() {
     );
     let (_, record) = interpreted(path, "log.mcap", &[]);
     assert_eq!(record["log"]["remarks"], Value::Array(vec![]));
+}
+
+/// Writes the samples of the folder's bag as `log.csv`: those that `keep` accepts, with positions in a unit [m].
+fn write_table(folder: &Path, unit: f64, keep: impl Fn(&TouchSample) -> bool) {
+    let log = read(&folder.join("log.mcap"), &LogOptions::default()).unwrap();
+    let mut table = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
+    for sample in log.samples.iter().filter(|sample| keep(sample)) {
+        let (p, q, f) = (
+            sample.world_from_tool.translation.vector / unit,
+            sample.world_from_tool.rotation.coords,
+            sample.force,
+        );
+        writeln!(
+            table,
+            "{},{},{},{},{},{},{},{},{},{},{}",
+            sample.time, p.x, p.y, p.z, q.x, q.y, q.z, q.w, f.x, f.y, f.z
+        )
+        .unwrap();
+    }
+    fs::write(folder.join("log.csv"), table).unwrap();
+}
+
+#[test]
+fn a_summary_states_what_is_unknown_and_the_most_fundamental_fault_first() {
+    let folder = folder(believed());
+    let path = folder.path();
+    let args = [
+        "interpret",
+        "log.csv",
+        "--task",
+        "task.toml",
+        "--wrench-frame",
+        "world",
+    ];
+
+    write_table(path, 1.0, |sample| sample.force.z > 5.0);
+    let (_, words, _) = wisch(path, &args);
+    let unknown = "bias unknown, because the log shows no calm free motion: 0 N assumed";
+    assert!(
+        words.contains(unknown) && !words.contains("subtracted"),
+        "{words}"
+    );
+    let (_, record) = interpreted(path, "log.csv", &args[4..]);
+    assert_eq!(record["force_bias_n"], Value::Null);
+
+    write_table(path, 1.0, |_| true);
+    let mut doubled = String::new();
+    for line in fs::read_to_string(path.join("log.csv")).unwrap().lines() {
+        let again = if line.starts_with('t') { "" } else { line };
+        write!(doubled, "{line}\n{again}\n").unwrap();
+    }
+    fs::write(path.join("log.csv"), doubled).unwrap();
+    let (_, words, _) = wisch(path, &args);
+    let left_out = words
+        .lines()
+        .find(|line| line.contains("left out"))
+        .unwrap();
+    assert!(
+        left_out.ends_with("samples with the time of the sample before"),
+        "{left_out}"
+    );
+
+    write_table(path, 1e-3, |_| true);
+    let (_, words, _) = wisch(path, &args);
+    assert!(
+        words.contains("in millimetres (--length-unit-m 0.001) it would be"),
+        "{words}"
+    );
+    assert!(words.contains("unknown: the tool is"), "{words}");
+    assert!(
+        !words.contains("jumps") && !words.contains("a sample every"),
+        "{words}"
+    );
+    write_table(path, 1e-6, |_| true);
+    let (code, _, err) = wisch(path, &args);
+    let unit = "in micrometres (--length-unit-m 0.000001)";
+    assert!(code == 2 && err.contains(unit), "{err}");
 }
 
 #[test]

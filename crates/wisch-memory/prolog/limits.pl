@@ -56,7 +56,7 @@ limited(drift_cause(Surface, Change, Cause), Ls) :- !,
     all_times(From0, To0),
     window(Ls, From0, To0, From, To),
     drift_cause_within(From, To, Surface, Change, Cause).
-limited(occurs(Event), [during([S, E])]) :- var(Event), number(S), number(E), !, stream(relation(during_or_equal, S, E), j(Event, _, _)).
+limited(occurs(Event), [during([S, E])]) :- var(Event), number(S), number(E), !, forward(S, E), stream(relation(during_or_equal, S, E), j(Event, _, _)).
 limited(Statement, Ls) :- has_time(Statement, Of), !,
     checked_limits(Ls),
     call(Statement),
@@ -90,9 +90,14 @@ of_guard(formatted, 3).
 
 % Limits ---------------------------------------------------------------------------------------------------
 
-% known_limits(+Limits): all times are numbers.
-known_limits([]).
-known_limits([Limit|Ls]) :- ( is_known(Limit) -> true ; not_known(Limit) ), known_limits(Ls).
+% known_limits(+Limits): all times are numbers, and the limits together do not end before they begin.
+known_limits(Ls) :- all_known(Ls), window(Ls, -1.0e300, 1.0e300, From, To), forward(From, To).
+
+all_known([]).
+all_known([Limit|Ls]) :- ( is_known(Limit) -> true ; not_known(Limit) ), all_known(Ls).
+
+% forward(+Start, +End): an interval that ends before it begins holds no time, so it is an error and no answer.
+forward(Start, End) :- ( Start =< End -> true ; throw(backward(Start, End)) ).
 
 % checked_limits(+Limits): the same, but the times of a single limit may be unbound.
 checked_limits([Limit]) :- is_open(Limit), !.

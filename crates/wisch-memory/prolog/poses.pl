@@ -35,7 +35,7 @@ telemetry_in(Episode, Channel, When, Statistic, Value) :-
 % during_what(?Episode, +When, -S, -E, -Of): When is [S, E] or an event; Of is something of the only episode that is
 % meant, or any.
 during_what(_, When, _, _, _) :- var(When), !, unknown_yet('when: an event or [S, E]').
-during_what(Episode, [S, E], S, E, Of) :- !, given(S, 'the start of [S, E]'), given(E, 'the end of [S, E]'), ( var(Episode) -> Of = any ; known(thing, Episode, Of) ).
+during_what(Episode, [S, E], S, E, Of) :- !, given(S, 'the start of [S, E]'), given(E, 'the end of [S, E]'), forward(S, E), ( var(Episode) -> Of = any ; known(thing, Episode, Of) ).
 during_what(_, Event, S, E, Name) :- known(thing, Event, Name), lasts(event(Name), S, E).
 
 episode_and(Episode, Answer, Found) :-

@@ -6,9 +6,9 @@ show(What, How) :- shown(What, Shown), ( how(How) -> view(show(Shown, How)) ; th
 show(What, How, Style) :- shown(What, Shown), ( how(How) -> view(show(Shown, How, Style)) ; throw(error(domain_error(time_or_interval, How), show)) ).
 
 how(Time) :- number(Time).
-how(interval(S, E)) :- number(S), number(E).
-how(interval(S, E, dt(D))) :- number(S), number(E), number(D), D > 0.
-how([S, E]) :- number(S), number(E).
+how(interval(S, E)) :- number(S), number(E), forward(S, E).
+how(interval(S, E, dt(D))) :- number(S), number(E), forward(S, E), number(D), D > 0.
+how([S, E]) :- number(S), number(E), forward(S, E).
 
 shown(What, _) :- var(What), !, unknown_yet('the thing to show').
 shown(trajectory(O), trajectory(Name)) :- !, known(thing, O, Name).
@@ -19,7 +19,7 @@ shown(O, Name) :- known(thing, O, Name).
 
 highlight(What) :- shown(What, Shown), view(highlight(Shown)).
 highlight(What, Color) :- shown(What, Shown), view(highlight(Shown, Color)).
-highlight_trajectory(O, S, E, Color) :- given(S, 'the start of the trajectory'), given(E, 'the end of the trajectory'), shown(O, Shown), view(highlight(trajectory(Shown), interval(S, E), Color)).
+highlight_trajectory(O, S, E, Color) :- given(S, 'the start of the trajectory'), given(E, 'the end of the trajectory'), forward(S, E), shown(O, Shown), view(highlight(trajectory(Shown), interval(S, E), Color)).
 marker_highlight(O, Color) :- highlight(O, Color).
 
 % data_vis(+Diagram(Id), +Properties): Properties is a list such as data: [Xs, Ys], title: T, xlabel: X, ylabel: Y.

@@ -223,7 +223,9 @@ fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Int
     if let Some(share) = interpretation.contact_share {
         individual.set_number("semco:contactShare", share);
     }
-    individual.set_number("semco:forceBias", interpretation.force_bias);
+    if let Some(bias) = interpretation.force_bias {
+        individual.set_number("semco:forceBias", bias);
+    }
     let always = [f64::NEG_INFINITY, f64::INFINITY];
     let least_share = least_contact(task);
     let contact = ContactStatistics::during(always, &interpretation.path, least_share);

@@ -220,7 +220,7 @@ pub enum ReadFault {
     /// A time is earlier than a previous one by more than the reorder window.
     #[error(
         "{place}: its time of {time} s is {} s earlier than the latest earlier time, {last} s; the limit is {limit} s",
-        .last - .time
+        ((.last - .time) * 1e9).round() / 1e9
     )]
     Backwards {
         /// Name of the message or line.
@@ -252,16 +252,18 @@ pub enum ReadFault {
     #[error("{0}")]
     Unknown(wisch::represent::UnknownName),
     /// A named topic does not hold the quantity.
-    #[error("topic {topic} of type {kind}: there is no {what}{}", in_field(.field))]
+    #[error("topic {topic} of type {kind}: there is no {what}{}{}", in_field(.field), list_fields(.fields))]
     NotThere {
         /// Name of the topic.
         topic: String,
         /// Its type.
-        kind: String,
+        kind: Box<str>,
         /// The named field; empty for the whole message.
         field: String,
         /// "pose" or "wrench".
         what: &'static str,
+        /// Every field that holds the quantity; an empty name is the whole message.
+        fields: Box<[String]>,
     },
     /// No topic holds the quantity.
     #[error("no topic holds a {what}; the topics are: {}{}", join_names(.topics), and_unread(.unread))]
@@ -534,6 +536,15 @@ fn and_unread(unread: &[String]) -> String {
             let shown = unread[..unread.len().min(TOPICS_SHOWN)].join("; ");
             format!(". Not readable: {shown}")
         }
+    }
+}
+
+/// Lists the fields that hold the quantity, of which an empty name is the whole message.
+fn list_fields(fields: &[String]) -> String {
+    match fields {
+        [] => String::new(),
+        [whole] if whole.is_empty() => "; the whole message is one: name no field".to_owned(),
+        _ => format!("; known: {}", fields.join(", ")),
     }
 }
 

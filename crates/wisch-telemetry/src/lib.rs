@@ -30,6 +30,7 @@ mod plausibility;
 mod quantity;
 mod ros2;
 mod saturated;
+mod spikes;
 mod table;
 mod tool_frame;
 mod track;

@@ -8,7 +8,9 @@ use super::frozen::find_frozen;
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::plausibility::doubts;
 use super::quantity::QuantityError;
+use super::ros2::NANOSECONDS_PER_SECOND;
 use super::saturated::{Saturation, find_saturated};
+use super::spikes::take_out_spikes;
 use super::table;
 use super::track::{RawLog, pair, seconds};
 use nalgebra::UnitQuaternion;
@@ -319,7 +321,18 @@ fn is_bag_file(path: &Path) -> std::io::Result<bool> {
 }
 
 /// Combines poses and forces in the task's world.
-fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<Log, ReadFault> {
+fn combine(
+    mut raw: RawLog,
+    correction: Correction,
+    options: &LogOptions,
+) -> Result<Log, ReadFault> {
+    // A driver that states qualities knows better.
+    let spikes = if raw.qualities.is_empty() {
+        let max_gap = options.max_gap * NANOSECONDS_PER_SECOND as f64;
+        take_out_spikes(&mut raw.wrenches.entries, max_gap as i64)
+    } else {
+        None
+    };
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let first = pairs[0].0;
     let (unusable, saturated) = leave_out_unusable(&raw, &mut pairs);
@@ -372,6 +385,7 @@ fn combine(raw: RawLog, correction: Correction, options: &LogOptions) -> Result<
         .remarks
         .iter()
         .cloned()
+        .chain(spikes.map(|found| found.describe(start, force_unit, options.max_gap)))
         .chain(saturated.iter().map(|found| found.describe(force_unit)))
         .chain(correction.remarks)
         .chain(doubts(&samples, options))

@@ -17,22 +17,21 @@ const NEAR: f64 = 3.0;
 const MOST_FORCE: f64 = 2000.0;
 
 /// Smaller units that a length may have: size [m] and name.
-const LENGTHS: [(f64, &str); 2] = [(1e-3, "millimetres"), (1e-6, "micrometres")];
+const LENGTHS: [(f64, &str); 4] = [
+    (1e-2, "centimetres"),
+    (0.0254, "inches"),
+    (1e-3, "millimetres"),
+    (1e-6, "micrometres"),
+];
 
-/// Returns implausible facts about a log, each with an option that may correct it.
+/// Returns implausible facts about a log, each with an option that may correct it: first the unit of length, then that of
+/// time, then what depends on both.
 pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<String> {
     let mut doubts = Vec::new();
     let steps = || samples.windows(2).map(|pair| (&pair[0], &pair[1]));
     let way = |a: &TouchSample, b: &TouchSample| {
         (b.world_from_tool.translation.vector - a.world_from_tool.translation.vector).norm()
     };
-    if let Some(period) = median(steps().map(|(a, b)| b.time - a.time))
-        && period > LONG_PERIOD
-    {
-        doubts.push(format!(
-            "a sample every {period:.3} s is too slow to show how a tool moves: check --time-unit-s"
-        ));
-    }
     let distance = |unit: f64| {
         let positions = samples
             .iter()
@@ -42,16 +41,23 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
     };
     let far = distance(1.0);
     if far > FAR {
-        let unit = LENGTHS.iter().find(|(unit, _)| distance(*unit) < NEAR);
-        let advice = match unit {
-            Some((unit, name)) => format!(
-                "in {name} (--length-unit-m {}) it would be {:.2} m",
+        let units = LENGTHS.map(|(unit, name)| (distance(unit), unit, name));
+        let nearest = units.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let advice = match nearest.filter(|(distance, ..)| *distance < NEAR) {
+            Some((distance, unit, name)) => format!(
+                "in {name} (--length-unit-m {}) it would be {distance:.2} m",
                 unit * options.length_unit.unwrap_or(1.0),
-                distance(*unit)
             ),
             None => "check surface.position_m and --world-from-log".to_owned(),
         };
         doubts.push(format!("the tool is {far:.1} m from the surface: {advice}"));
+    }
+    if let Some(period) = median(steps().map(|(a, b)| b.time - a.time))
+        && period > LONG_PERIOD
+    {
+        doubts.push(format!(
+            "a sample every {period:.3} s is too slow to show how a tool moves: check --time-unit-s"
+        ));
     }
     let moved: f64 = steps().map(|(a, b)| way(a, b)).sum();
     let moves = steps().filter(|(a, b)| way(a, b) > 0.0);
@@ -115,6 +121,10 @@ mod tests {
             millimetres.contains("--length-unit-m 0.001) it would be 0."),
             "{millimetres}"
         );
+        assert!(one(log(1.0, 1e-2, 10.0)).contains("in centimetres (--length-unit-m 0.01)"));
+        // A wrong unit of length comes before one of time.
+        let both = log(1e-3, 1e-3, 10.0);
+        assert!(both[0].contains("in millimetres") && both[1].starts_with("a sample every"));
         let micrometres = one(log(1.0, 1e-6, 10.0));
         assert!(
             micrometres.contains("--length-unit-m 0.000001)"),

@@ -212,7 +212,7 @@ fn topics_are_selected_by_name_and_unknown_names_are_refused() {
         (
             "/tcp/measured:pos",
             "/wrench/external",
-            ": topic /tcp/measured of type geometry_msgs/msg/PoseStamped: there is no pose in \"pos\"",
+            ": topic /tcp/measured of type geometry_msgs/msg/PoseStamped: there is no pose in \"pos\"; the whole message is one: name no field",
         ),
         (
             "/tcp/measured",

@@ -15,7 +15,8 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
-    Belief, EventKind, InterpretConfig, Interpretation, Interpreter, ObservationUpdate,
+    Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
+    ObservationUpdate,
 };
 use wisch::represent::{GoalState, ParticleDistribution, SurfaceShape};
 use wisch::robot::joint_transforms;
@@ -349,7 +350,21 @@ fn interpret_samples(
         }
         interpreter.conclude(believed, goal)
     };
-    interpreted().map_err(|error| Failure::new(error).within(&args.log))
+    interpreted().map_err(|error| {
+        let option = match &error {
+            InterpretError::Measurement { field, .. } if field.starts_with("position") => {
+                "--length-unit-m"
+            }
+            InterpretError::Measurement { field, .. } if field.starts_with("force") => {
+                "--force-unit-n"
+            }
+            _ => return Failure::new(error).within(&args.log),
+        };
+        // What the reader finds implausible names the likely unit.
+        let remark = log.remarks.iter().find(|remark| remark.contains(option));
+        let help = remark.map_or_else(|| format!("check {option}"), Clone::clone);
+        Failure::new(error).within(&args.log).with_help(help)
+    })
 }
 
 /// The summary for people.
@@ -397,15 +412,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
             },
         ),
         ("surface", surface_in_words(record)),
-        (
-            "force",
-            format!(
-                "{}bias {:+.2} N along the surface normal, subtracted",
-                (record.pressed_force_n)
-                    .map_or_else(String::new, |force| format!("pressed with {force:.1} N; ")),
-                record.force_bias_n
-            ),
-        ),
+        ("force", force_in_words(record)),
         ("events", events_in_words(record)),
     ];
     if let Some(stiffness) = &record.tool_stiffness {
@@ -428,12 +435,15 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
     for remark in log.remarks.iter().rev() {
         lines.insert(1, ("", remark.clone()));
     }
-    if log.repeated + log.unpaired > 0 {
-        let line = format!(
-            "left out: {} samples with the time of the sample before, {} without a partner on the other topic",
-            log.repeated, log.unpaired
-        );
-        lines.insert(1, ("", line));
+    let left_out = [
+        (log.repeated, "with the time of the sample before"),
+        (log.unpaired, "without a pose or force near their time"),
+    ];
+    let left_out: Vec<String> = (left_out.into_iter().filter(|(count, _)| *count > 0))
+        .map(|(count, why)| format!("{} {why}", counted(count, "sample")))
+        .collect();
+    if !left_out.is_empty() {
+        lines.insert(1, ("", format!("left out: {}", left_out.join(", "))));
     }
     lines
 }
@@ -464,6 +474,17 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
         record.verdict,
         record.reason,
     )
+}
+
+fn force_in_words(record: &InterpretationRecord) -> String {
+    let pressed = (record.pressed_force_n)
+        .map_or_else(String::new, |force| format!("pressed with {force:.1} N; "));
+    match record.force_bias_n {
+        Some(bias) => format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted"),
+        None => {
+            format!("{pressed}bias unknown, because the log shows no calm free motion: 0 N assumed")
+        }
+    }
 }
 
 fn surface_in_words(record: &InterpretationRecord) -> String {

@@ -65,8 +65,9 @@ pub struct InterpretationRecord {
     pub diagnosis: &'static str,
     /// Estimated pose of the surface, if it differs from the believed pose; else null.
     pub world_from_surface: Option<PoseRecord>,
-    /// Bias of the force along the surface's outward normal, which was subtracted.
-    pub force_bias_n: f64,
+    /// Bias of the force along the surface's outward normal, which was subtracted; null if the log shows no free motion, so
+    /// that it is unknown and nothing was subtracted.
+    pub force_bias_n: Option<f64>,
     /// Typical press force of the tool while it slid over the plane; null without a plane.
     pub pressed_force_n: Option<f64>,
     /// Estimated stiffness of the tool; null for a rigid tool.
@@ -231,7 +232,7 @@ impl InterpretationRecord {
                 Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => None,
             },
             // Avoid -0.0.
-            force_bias_n: interpretation.force_bias + 0.0,
+            force_bias_n: interpretation.force_bias.map(|bias| bias + 0.0),
             pressed_force_n: interpretation.pressed_force,
             tool_stiffness: interpretation
                 .tool_stiffness

@@ -148,6 +148,11 @@ impl QueryFault {
                     "{name}/{arity} has no time: during, since and until limit statements about events"
                 ),
             },
+            Some(("backward", [start, end])) => Self::Prolog {
+                what: format!(
+                    "the time from {start} to {end} ends before it begins; expected [Start, End] with Start at most End"
+                ),
+            },
             Some(("untimed", [thing])) => Self::Prolog {
                 what: format!(
                     "{thing} has no time: during, since and until limit statements about events"

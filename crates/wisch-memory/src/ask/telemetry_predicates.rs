@@ -510,10 +510,8 @@ fn channel_values(
                 .into_iter()
                 .chain(columns);
             let error = wisch::source_location::UnknownName::new("channel", name, known);
-            Err(QueryFault::Unknown {
-                kind: "channel".to_owned(),
-                name: name.to_owned(),
-                nearest: error.nearest().map(str::to_owned),
+            Err(QueryFault::Telemetry {
+                what: error.to_string(),
             })
         }
     }

@@ -93,6 +93,38 @@ fn statements_about_events_hold_within_their_times_only() {
 }
 
 #[test]
+fn a_time_that_ends_before_it_begins_is_an_error_that_names_both() {
+    for engine in engines() {
+        let mut asker = asker(engine);
+        for query in [
+            "has_type(C, 'Collision') during [1060, 1000]",
+            "occurs(C) during [1060, 1000]",
+            "occurs(C), has_type(C, 'Collision') during [1060, 1000]",
+            "(has_type(C, 'Collision') since 1060) until 1000",
+            "(has_type(C, 'Collision') during [1060, 1070]) until 1000",
+            "(\\+ has_type(_, 'Collision')) during [1060, 1000]",
+            "is_at(sponge, P) during [1060, 1000]",
+            "occurs(C, [1060, 1000])",
+            "has_time_interval(C, [1060, 1000])",
+            "interval_during(C, [1060, 1000])",
+            "interval_before([1060, 1000], C)",
+            "telemetry(force, [1060, 1000], max, V)",
+            "object_trajectory(sponge, [1060, 1000], dt(1), T)",
+            "tf_mng_trajectory(sponge, 1060, 1000, T)",
+            "show(sponge, [1060, 1000])",
+        ] {
+            let Err(found) = answers(&mut asker, query) else {
+                panic!("{query}: no error");
+            };
+            let says = "the time from 1060 to 1000 ends before it begins";
+            assert!(found.contains(says), "{query}: {found}");
+        }
+        let instant = answers(&mut asker, "has_type(C, 'Collision') during [1010, 1010]");
+        assert_eq!(instant, Ok(vec![]), "a time without duration is one");
+    }
+}
+
+#[test]
 fn what_has_no_time_cannot_be_limited_in_time() {
     for engine in engines() {
         let mut asker = asker(engine);

@@ -329,7 +329,7 @@ fn interpretation(
             Diagnosis::Localized
         },
         events: events(path),
-        force_bias: 0.12,
+        force_bias: Some(0.12),
         pressed_force: Some(10.0),
         tool_stiffness: None,
         contact_share: Some(contact as f64 / near.max(1) as f64),

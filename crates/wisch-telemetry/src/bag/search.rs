@@ -106,11 +106,19 @@ impl<Q: Quantity> Search<Q> {
         };
         if located.is_empty() && self.names(channel) {
             let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
+            let fields = match Locator::<Q>::find(schema, "") {
+                Some(_) => vec![String::new()],
+                None => {
+                    let found = Locator::<Q>::find_within(schema).into_iter();
+                    found.map(|(field, _)| field).collect()
+                }
+            };
             return Err(ReadFault::NotThere {
                 topic: channel.topic.clone(),
-                kind: kind.unwrap_or_default(),
+                kind: kind.unwrap_or_default().into(),
                 field: field.to_owned(),
                 what: Q::NAME,
+                fields: fields.into(),
             });
         }
         let shared = |(field, locator)| (field, Rc::new(locator));

@@ -202,9 +202,7 @@ fn check_buffers(batch: &RecordBatch<'_>, body: &[u8]) -> Result<(), ReadFault> 
 /// Returns an empty column of a type, if the type is supported.
 fn empty(kind: &DataType) -> Option<Values> {
     Some(match kind {
-        DataType::Float16 | DataType::Float32 | DataType::Float64 | DataType::Duration(_) => {
-            Values::Reals(Vec::new())
-        }
+        DataType::Float16 | DataType::Float32 | DataType::Float64 => Values::Reals(Vec::new()),
         DataType::Int8
         | DataType::Int16
         | DataType::Int32
@@ -214,6 +212,8 @@ fn empty(kind: &DataType) -> Option<Values> {
         | DataType::UInt32
         | DataType::UInt64 => Values::Whole(Vec::new()),
         DataType::Timestamp(_, zone) => Values::Dates(Vec::new(), zone.is_some()),
+        // A duration is exact as a date, and in seconds it is not.
+        DataType::Duration(_) => Values::Dates(Vec::new(), true),
         DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => {
             Values::Texts(Texts::default())
         }
@@ -238,24 +238,6 @@ fn append_reals(array: &ArrayRef, reals: &mut Vec<f64>) -> Option<()> {
         DataType::Float16 => each::<Float16Type, _>(array, reals, missing, |n| n.to_f64()),
         DataType::Float32 => each::<Float32Type, _>(array, reals, missing, f64::from),
         DataType::Float64 => each::<Float64Type, _>(array, reals, missing, |n| n),
-        DataType::Duration(unit) => {
-            let size = 1e-9 * nanoseconds(*unit) as f64;
-            let in_seconds = |n: i64| n as f64 * size;
-            match unit {
-                TimeUnit::Second => {
-                    each::<DurationSecondType, _>(array, reals, missing, in_seconds)
-                }
-                TimeUnit::Millisecond => {
-                    each::<DurationMillisecondType, _>(array, reals, missing, in_seconds)
-                }
-                TimeUnit::Microsecond => {
-                    each::<DurationMicrosecondType, _>(array, reals, missing, in_seconds)
-                }
-                TimeUnit::Nanosecond => {
-                    each::<DurationNanosecondType, _>(array, reals, missing, in_seconds)
-                }
-            }
-        }
         _ => None,
     }
 }
@@ -277,16 +259,33 @@ fn append_whole(array: &ArrayRef, whole: &mut Vec<i64>) -> Option<()> {
 }
 
 fn append_dates(array: &ArrayRef, dates: &mut Vec<i64>) -> Option<()> {
-    let DataType::Timestamp(unit, _) = array.data_type() else {
-        return None;
+    let size = match array.data_type() {
+        DataType::Timestamp(unit, _) | DataType::Duration(unit) => nanoseconds(*unit),
+        _ => return None,
     };
-    let size = nanoseconds(*unit);
     let date = |n: i64| n.saturating_mul(size);
-    match unit {
-        TimeUnit::Second => each::<TimestampSecondType, _>(array, dates, MISSING, date),
-        TimeUnit::Millisecond => each::<TimestampMillisecondType, _>(array, dates, MISSING, date),
-        TimeUnit::Microsecond => each::<TimestampMicrosecondType, _>(array, dates, MISSING, date),
-        TimeUnit::Nanosecond => each::<TimestampNanosecondType, _>(array, dates, MISSING, date),
+    match array.data_type() {
+        DataType::Timestamp(unit, _) => match unit {
+            TimeUnit::Second => each::<TimestampSecondType, _>(array, dates, MISSING, date),
+            TimeUnit::Millisecond => {
+                each::<TimestampMillisecondType, _>(array, dates, MISSING, date)
+            }
+            TimeUnit::Microsecond => {
+                each::<TimestampMicrosecondType, _>(array, dates, MISSING, date)
+            }
+            TimeUnit::Nanosecond => each::<TimestampNanosecondType, _>(array, dates, MISSING, date),
+        },
+        DataType::Duration(unit) => match unit {
+            TimeUnit::Second => each::<DurationSecondType, _>(array, dates, MISSING, date),
+            TimeUnit::Millisecond => {
+                each::<DurationMillisecondType, _>(array, dates, MISSING, date)
+            }
+            TimeUnit::Microsecond => {
+                each::<DurationMicrosecondType, _>(array, dates, MISSING, date)
+            }
+            TimeUnit::Nanosecond => each::<DurationNanosecondType, _>(array, dates, MISSING, date),
+        },
+        _ => None,
     }
 }
 

@@ -27,6 +27,9 @@ const MOST_LINES_BEFORE: usize = 200;
 /// The search for names ends at a line with at least this many values that are all numbers.
 const LEAST_NUMBERS: usize = 3;
 
+/// Words for a missing value, in any case. NaN is a number that is not finite.
+const MISSING: [&str; 6] = ["none", "null", "na", "n/a", "#n/a", "nil"];
+
 /// A table as text.
 #[derive(Debug)]
 pub(super) struct Delimited<'a> {
@@ -209,6 +212,9 @@ impl<'a> Delimited<'a> {
         }
         let cell = |&index: &usize| match values.get(index) {
             None | Some(&"") => Ok(Cell::Empty),
+            Some(text) if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) => {
+                Ok(Cell::Empty)
+            }
             Some(text) => self.cell(text).map(Cell::Text),
         };
         let cells = wanted

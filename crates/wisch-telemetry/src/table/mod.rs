@@ -118,6 +118,7 @@ impl Table<'_> {
                 None => unknown.push(remark),
             }
         }
+        let partly = self.describe_partly_stated();
         let mut add_remark = |what: &str, list: Vec<String>| {
             if !list.is_empty() {
                 self.remarks.push(format!("{what}: {}", list.join(", ")));
@@ -129,7 +130,32 @@ impl Table<'_> {
             "its units include unknown ones, which are read as SI units",
             unknown,
         );
+        self.remarks.extend(partly);
         Ok(())
+    }
+
+    /// Names the columns that state no unit beside others of their quantity that do.
+    fn describe_partly_stated(&self) -> Option<String> {
+        let kinds = [
+            (UnitKind::Length, "metres"),
+            (UnitKind::Force, "newtons"),
+            (UnitKind::Angle, "radians"),
+        ];
+        let open = kinds.into_iter().filter_map(|(kind, unit)| {
+            let columns = &self.layout.columns[self.layout.columns_of_kind(kind)];
+            let open: Vec<&str> = (columns.iter().filter(|column| !column.is_unit_known))
+                .map(|column| column.ours)
+                .collect();
+            let is_partly = !open.is_empty() && open.len() < columns.len();
+            is_partly.then(|| format!("{} in {unit}", open.join(", ")))
+        });
+        let open: Vec<String> = open.collect();
+        (!open.is_empty()).then(|| {
+            format!(
+                "read as {}: the log states a unit for the others only",
+                open.join(" and ")
+            )
+        })
     }
 
     /// Calls `take` with the number and the requested cells of each row of numbers.

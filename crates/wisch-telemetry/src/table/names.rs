@@ -35,22 +35,48 @@ const TIME_UNITS: [(&str, f64); 13] = [
     ("min", 60.0),
     ("h", 3600.0),
 ];
-const LENGTH_UNITS: [(&str, f64); 6] = [
+const LENGTH_UNITS: [(&str, f64); 16] = [
     ("m", 1.0),
+    ("metre", 1.0),
+    ("metres", 1.0),
+    ("meter", 1.0),
+    ("meters", 1.0),
     ("cm", 1e-2),
     ("mm", 1e-3),
+    ("millimetre", 1e-3),
+    ("millimetres", 1e-3),
+    ("millimeter", 1e-3),
+    ("millimeters", 1e-3),
     ("um", 1e-6),
     ("µm", 1e-6),
-    ("in", 0.0254),
+    ("in", INCH),
+    ("inch", INCH),
+    ("inches", INCH),
 ];
-const FORCE_UNITS: [(&str, f64); 6] = [
+const INCH: f64 = 0.0254;
+/// A mass as a unit of force is its weight, as scales and load cells state it.
+const FORCE_UNITS: [(&str, f64); 17] = [
     ("N", 1.0),
+    ("newton", 1.0),
+    ("newtons", 1.0),
     ("kN", 1e3),
+    ("daN", 10.0),
+    ("cN", 1e-2),
     ("mN", 1e-3),
-    ("kp", 9.80665),
-    ("kgf", 9.80665),
-    ("lbf", 4.448_221_615_260_5),
+    ("kp", GRAVITY),
+    ("kgf", GRAVITY),
+    ("kg", GRAVITY),
+    ("gf", 1e-3 * GRAVITY),
+    ("g", 1e-3 * GRAVITY),
+    ("lbf", POUND),
+    ("lb", POUND),
+    ("lbs", POUND),
+    ("pounds", POUND),
+    ("ozf", POUND / 16.0),
 ];
+/// Standard gravity [m/s²], and a pound-force [N].
+const GRAVITY: f64 = 9.80665;
+const POUND: f64 = 4.448_221_615_260_5;
 const ANGLE_UNITS: [(&str, f64); 5] = [
     ("rad", 1.0),
     ("deg", DEGREE),
@@ -220,6 +246,13 @@ mod tests {
         }
         assert_eq!(UnitKind::Force.size_of("kN"), Some(1e3));
         assert_eq!(UnitKind::Force.size_of("n"), Some(1.0));
+        assert_eq!(UnitKind::Force.size_of("gf"), Some(0.00980665));
+        assert_eq!(
+            UnitKind::Force.size_of("lb"),
+            UnitKind::Force.size_of("lbf")
+        );
+        assert_eq!(UnitKind::Force.size_of("Newton"), Some(1.0));
+        assert_eq!(UnitKind::Length.size_of("meters"), Some(1.0));
         assert_eq!(UnitKind::Length.size_of("μm"), Some(1e-6));
         assert_eq!(UnitKind::Length.size_of("s"), None);
     }

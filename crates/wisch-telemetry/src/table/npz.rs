@@ -236,19 +236,16 @@ impl Member {
                     .collect(),
             ),
             ('f', _) => Values::Reals(bits.map(f64::from_bits).collect()),
-            ('M', _) => {
+            // A duration is exact as a date, and in seconds it is not.
+            ('M' | 'm', _) => {
                 let date = |time: i64| match time {
                     MISSING => MISSING,
                     time => time.saturating_mul(head.unit),
                 };
-                Values::Dates(bits.map(|bits| date(bits as i64)).collect(), false)
-            }
-            ('m', _) => {
-                let seconds = |time: i64| match time {
-                    MISSING => f64::NAN,
-                    time => time as f64 * (head.unit as f64 * 1e-9),
-                };
-                Values::Reals(bits.map(|bits| seconds(bits as i64)).collect())
+                Values::Dates(
+                    bits.map(|bits| date(bits as i64)).collect(),
+                    head.kind == 'm',
+                )
             }
             ('u', _) => {
                 let whole = |bits: u64| i64::try_from(bits).unwrap_or(i64::MAX);

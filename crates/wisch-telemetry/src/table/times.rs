@@ -31,6 +31,8 @@ const USUAL_STEP: f64 = 0.2;
 pub(super) enum Instant {
     /// A whole number of some unit.
     Whole(i64),
+    /// A decimal number of some unit, in billionths of it: a float resolves seconds since 1970 to 0.2 µs only.
+    Billionths(i128),
     /// A real number of some unit.
     Real(f64),
     /// A date or time of day, in nanoseconds since 1970 or midnight, and whether it states a time zone.
@@ -50,6 +52,9 @@ impl Instant {
         if let Ok(whole) = text.parse() {
             return Some(Self::Whole(whole));
         }
+        if let Some(billionths) = parse_billionths(text) {
+            return Some(Self::Billionths(billionths));
+        }
         match text.parse() {
             Ok(real) => Some(Self::Real(real)),
             Err(_) => date(text).map(|(time, has_zone)| Self::Date(time, has_zone)),
@@ -60,6 +65,7 @@ impl Instant {
         match self {
             Self::Whole(count) => count as f64,
             Self::Real(count) => count,
+            Self::Billionths(billionths) => billionths as f64 / NANOSECONDS_PER_SECOND as f64,
             Self::Date(nanoseconds, _) => nanoseconds as f64 / NANOSECONDS_PER_SECOND as f64,
         }
     }
@@ -67,12 +73,18 @@ impl Instant {
     /// Converts a count of a unit [s] to nanoseconds.
     fn nanoseconds(self, unit: f64) -> Option<i64> {
         let per_unit = unit * NANOSECONDS_PER_SECOND as f64;
+        let limit = MAX_TIME as i128 * i128::from(NANOSECONDS_PER_SECOND);
+        let within = |time: i128| (time.abs() <= limit).then_some(time as i64);
         match self {
             Self::Date(time, _) => Some(time),
             Self::Whole(count) if per_unit.fract() == 0.0 => {
-                let time = i128::from(count) * per_unit as i128;
-                let limit = MAX_TIME as i128 * i128::from(NANOSECONDS_PER_SECOND);
-                (time.abs() <= limit).then_some(time as i64)
+                within(i128::from(count) * per_unit as i128)
+            }
+            Self::Billionths(billionths) if per_unit.fract() == 0.0 => {
+                let scale = i128::from(NANOSECONDS_PER_SECOND);
+                let time = billionths.checked_mul(per_unit as i128)?;
+                // Rounded to the nearest nanosecond, halves upwards.
+                within((time + scale / 2).div_euclid(scale))
             }
             _ => {
                 let seconds = self.count() * unit;
@@ -81,6 +93,22 @@ impl Instant {
             }
         }
     }
+}
+
+/// Parses a decimal number without an exponent, rounded to billionths.
+fn parse_billionths(text: &str) -> Option<i128> {
+    let (whole, decimals) = text.split_once('.')?;
+    let is_negative = whole.starts_with('-');
+    let digits = whole.strip_prefix(['-', '+']).unwrap_or(whole);
+    let is_decimal = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    let has_digits = !digits.is_empty() || !decimals.is_empty();
+    if !has_digits || digits.len() > 20 || !is_decimal(digits) || !is_decimal(decimals) {
+        return None;
+    }
+    let (kept, rest) = decimals.split_at(decimals.len().min(9));
+    let size: i128 = format!("{digits}{kept:0<9}").parse().ok()?;
+    let size = size + i128::from(rest.as_bytes().first().is_some_and(|digit| *digit >= b'5'));
+    Some(if is_negative { -size } else { size })
 }
 
 /// Parses a date: nanoseconds since 1970, or since midnight, and whether a zone is stated.
@@ -200,8 +228,10 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
     (*unit, Some(remark))
 }
 
-/// Returns the median of the positive steps.
+/// Returns the median of the positive steps. Times out of order have the steps that they have in order.
 fn median_step(counts: &[f64]) -> Option<f64> {
+    let mut counts = counts.to_vec();
+    counts.sort_by(f64::total_cmp);
     let steps = counts.windows(2).map(|pair| pair[1] - pair[0]);
     let mut steps: Vec<f64> = steps
         .filter(|step| *step > 0.0 && step.is_finite())
@@ -292,6 +322,39 @@ mod tests {
                 None => assert!(remarks.is_empty(), "{texts:?}: {remarks:?}"),
             }
         }
+    }
+
+    #[test]
+    fn decimal_seconds_since_1970_are_exact_to_the_nanosecond() {
+        for (texts, exact) in [
+            (
+                ["1760000000.123456789", "1760000000.123456790"],
+                1_760_000_000_123_456_789,
+            ),
+            (
+                ["1760000000123.456789", "1760000000123.456790"],
+                1_760_000_000_123_456_789,
+            ),
+            (
+                ["1760000000123456789", "1760000000123456790"],
+                1_760_000_000_123_456_789,
+            ),
+            (["-0.000000001", ".0"], -1),
+        ] {
+            assert_eq!(scaled_texts(&texts).0, [exact, exact + 1], "{texts:?}");
+        }
+        assert_eq!(parse_billionths("0.28999999999999998"), Some(290_000_000));
+        for text in [".", "-.", "1.2.3", "1.5e3", "0x1.0"] {
+            assert_eq!(parse_billionths(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn times_out_of_order_are_read_in_the_unit_that_they_have_in_order() {
+        let shuffled = ["6.84", "0.04", "3.0", "0.0", "6.88", "3.04"];
+        let (times, remarks) = scaled_texts(&shuffled);
+        assert_eq!(times[0], 6_840_000_000, "{remarks:?}");
+        assert!(remarks.is_empty(), "{remarks:?}");
     }
 
     #[test]

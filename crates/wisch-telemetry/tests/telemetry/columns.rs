@@ -2,7 +2,10 @@
 
 use super::tables::{COUNT, NAMES, assert_is_it, plain, table, time};
 use super::{in_folder, refused};
-use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray, TimestampNanosecondArray};
+use arrow_array::{
+    ArrayRef, DurationNanosecondArray, Float64Array, RecordBatch, StringArray,
+    TimestampNanosecondArray,
+};
 use arrow_array::{BooleanArray, Float32Array, Int8Array, ListArray, types::Float64Type};
 use arrow_ipc::CompressionType;
 use arrow_ipc::writer::{FileWriter, IpcWriteOptions, StreamWriter};
@@ -35,11 +38,11 @@ fn columns(text: &str) -> Vec<Reals> {
     columns
 }
 
-/// Returns the time of each sample [ns since 1970].
+/// Returns the time of each sample [ns since 1970]; a float does not hold them.
 fn dates() -> Vec<i64> {
     let nanoseconds = (0..COUNT).map(|tick| (time(tick) * 1e9).round() as i64);
     nanoseconds
-        .map(|time| 1_760_000_000_000_000_000 + time)
+        .map(|time| 1_760_000_000_000_000_001 + time)
         .collect()
 }
 
@@ -263,6 +266,9 @@ fn dates_texts_and_other_numbers_are_read() {
     let log = in_arrow("t", Arc::new(zoned));
     assert_eq!(log.start, dates()[0]);
     assert_eq!(log.remarks, [] as [&str; 0]);
+    let durations = DurationNanosecondArray::from(dates());
+    let log = in_arrow("t", Arc::new(durations));
+    assert_eq!((log.start, log.remarks.len()), (dates()[0], 0));
     let log = in_arrow("t", Arc::new(TimestampNanosecondArray::from(dates())));
     assert_eq!(log.start, dates()[0]);
     assert!(log.remarks[0].contains("UTC"), "{:?}", log.remarks);
@@ -287,16 +293,18 @@ fn dates_texts_and_other_numbers_are_read() {
     assert_eq!((log.start, log.remarks.len()), (dates()[0], 0));
 
     let numbers: Vec<u8> = dates().iter().flat_map(|time| time.to_be_bytes()).collect();
-    let mut arrays: Vec<(&str, Vec<u8>)> = vec![("t", npy(">M8[ns]", "False", "(250,)", &numbers))];
-    arrays.extend((columns[1..].iter()).map(|(name, values)| (name.as_str(), npy_of(values))));
-    let tens = vec![10_u8; COUNT];
-    *arrays.last_mut().unwrap() = ("fz", npy("|u1", "False", "(250,)", &tens));
-    let log = read_bytes(
-        &npz(CompressionMethod::Stored, arrays),
-        &LogOptions::default(),
-    );
-    assert_is_it(&log, "npz");
-    assert_eq!(log.start, dates()[0]);
+    for kind in [">M8[ns]", ">m8[ns]", ">i8", ">u8"] {
+        let mut arrays: Vec<(&str, Vec<u8>)> = vec![("t", npy(kind, "False", "(250,)", &numbers))];
+        arrays.extend((columns[1..].iter()).map(|(name, values)| (name.as_str(), npy_of(values))));
+        let tens = vec![10_u8; COUNT];
+        *arrays.last_mut().unwrap() = ("fz", npy("|u1", "False", "(250,)", &tens));
+        let log = read_bytes(
+            &npz(CompressionMethod::Stored, arrays),
+            &LogOptions::default(),
+        );
+        assert_is_it(&log, kind);
+        assert_eq!(log.start, dates()[0], "{kind}");
+    }
 }
 
 #[test]

@@ -403,3 +403,110 @@ fn times_that_do_not_advance_are_refused_and_repeated_lines_count_once() {
     let log = read_text(&doubled, &LogOptions::default());
     assert_eq!((log.samples.len(), log.repeated), (COUNT, COUNT));
 }
+
+#[test]
+fn times_since_1970_are_exact_to_the_nanosecond() {
+    let start = 1_760_000_000_123_456_789_i64;
+    let nanoseconds = |t: f64| start + (t * 1e9).round() as i64;
+    let whole = |t: f64| nanoseconds(t).to_string();
+    let decimal = |digits: usize, t: f64| {
+        let mut text = whole(t);
+        text.insert(digits, '.');
+        text
+    };
+    let cases: [(&str, &dyn Fn(f64) -> String); 3] = [
+        ("nanoseconds", &whole),
+        ("milliseconds", &|t| decimal(13, t)),
+        ("seconds", &|t| decimal(10, t)),
+    ];
+    for (what, write) in cases {
+        let text = table(NAMES, |t, x| {
+            plain(t, x).replacen(&t.to_string(), &write(t), 1)
+        });
+        let log = read_text(&text, &LogOptions::default());
+        assert_is_it(&log, what);
+        assert_eq!(log.start, start, "{what}");
+        let exact =
+            (log.samples.iter().enumerate()).all(|(tick, sample)| sample.time == time(tick));
+        assert!(exact, "{what}");
+    }
+}
+
+#[test]
+fn shuffled_times_are_sorted_and_never_another_unit() {
+    let mut lines: Vec<String> = table(NAMES, plain).lines().map(str::to_owned).collect();
+    let names = lines.remove(0);
+    // 97 has no factor in common with 250, so every line is taken once.
+    let shuffled = (0..COUNT).map(|k| lines[k * 97 % COUNT].clone());
+    let text = format!("{names}\n{}\n", shuffled.collect::<Vec<_>>().join("\n"));
+    let wide = LogOptions {
+        reorder_window: 10.0,
+        ..LogOptions::default()
+    };
+    let log = read_text(&text, &wide);
+    assert_is_it(&log, "shuffled");
+    let remark = &log.remarks[0];
+    assert!(remark.contains("late and were sorted by time"), "{remark}");
+    let refused = refused_text(&text, &LogOptions::default());
+    assert!(
+        refused.contains("earlier than the latest earlier time"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn a_unit_of_some_columns_only_is_reported_and_words_for_nothing_are_empty() {
+    let names = NAMES
+        .replace(",x,y,z,", ",x,y,z [mm],")
+        .replace(",fx,fy,fz", ",fx [gf],fy,fz");
+    let log = read_text(&table(&names, plain), &LogOptions::default());
+    let partly =
+        "read as x, y in metres and fy, fz in newtons: the log states a unit for the others only";
+    assert!(
+        log.remarks.iter().any(|remark| remark == partly),
+        "{:?}",
+        log.remarks
+    );
+    for word in ["None", "null", "NA", "n/a"] {
+        let text = table(NAMES, |t, x| {
+            if (t - 2.0).abs() < 1e-9 {
+                plain(t, x).replace(",0,0,10", &format!(",{word},{word},{word}"))
+            } else {
+                plain(t, x)
+            }
+        });
+        assert_is_it(&read_text(&text, &LogOptions::default()), word);
+    }
+}
+
+#[test]
+fn outliers_of_the_force_are_left_out_and_reported() {
+    let spiked = |spikes: &[f64]| {
+        table(NAMES, |t, x| {
+            let is_spike = spikes.iter().any(|time| (time - t).abs() < 1e-9);
+            let force = if is_spike { ",0,0,500" } else { ",0,0,10" };
+            plain(t, x).replace(",0,0,10", force)
+        })
+    };
+    let log = read_text(&spiked(&[2.0, 3.0, 8.0]), &LogOptions::default());
+    assert_is_it(&log, "interpolated");
+    assert_eq!(
+        log.remarks,
+        [
+            "3 samples of the force are outliers, the first with 500.0 N at 2.000 s, where its neighbours have 10.0 N: left out, and the force is interpolated between its neighbours"
+        ]
+    );
+    let narrow = LogOptions {
+        max_gap: 0.05,
+        ..LogOptions::default()
+    };
+    let log = read_text(&spiked(&[2.0]), &narrow);
+    assert_eq!(log.samples.len(), COUNT);
+    assert!(
+        log.remarks[0].ends_with(
+            "used as measured, because its neighbours are more than 0.05 s apart (--max-gap-s)"
+        ),
+        "{:?}",
+        log.remarks
+    );
+}

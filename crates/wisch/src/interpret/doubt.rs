@@ -1,12 +1,19 @@
 //! Whether a log shows wiping of this surface, and if not, why.
 
+mod force_unit;
 mod text;
+
+pub(super) use self::force_unit::fits_other_unit;
 
 use super::contact::{ContactLevel, MOST_LEVELS};
 use super::wrench_quality::UnusableWrenches;
 
 /// Height over the believed surface within which a tool without measured force may have touched [m].
 pub(super) const NEAR: f64 = 0.02;
+/// Distance from the believed surface, beyond its own size, from which on a unit or a frame must be wrong [m].
+pub(super) const FAR: f64 = 10.0;
+/// Shortest time near the surface in which a tool that slides shows contact [s].
+const LEAST_NEAR: f64 = 0.5;
 /// Difference of the performance from which the scale of the force is decisive [1].
 const MOST_BY_SCALE: f64 = 0.1;
 /// Largest share of samples without a usable wrench with which the rest still shows what was wiped [1].
@@ -26,7 +33,7 @@ const MOST_CONTRADICTION: [f64; 2] = [0.03, 0.2];
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Options of `wisch interpret` in the text of doubts, and what an executor states instead.
-const REMEDIES: [(&str, &str); 5] = [
+const REMEDIES: [(&str, &str); 6] = [
     (
         "--wrench-sign",
         "force_n of the executor is the force of the surroundings on the tool",
@@ -38,6 +45,10 @@ const REMEDIES: [(&str, &str); 5] = [
     (
         "--wrench-frame",
         "wrench_axes of the executor names the axes of force_n",
+    ),
+    (
+        "--length-unit-m",
+        "world_from_tool of the executor is in metres",
     ),
     (
         "--pose-offset",
@@ -59,6 +70,22 @@ pub enum Doubt {
         closest: f64,
         /// Size of the force that 90 % of the time near the surface stays below \[N\].
         force: f64,
+        /// Declared press force \[N\].
+        declared: f64,
+        /// Time near the surface \[s\].
+        lasts: f64,
+    },
+    /// Near the surface, the force is the declared one in another unit.
+    ForceInOtherUnit {
+        /// Median size of the force near the surface \[N\].
+        force: f64,
+        /// Declared press force \[N\].
+        declared: f64,
+    },
+    /// The tool was so far from the surface that the unit of length or the frame of the log must be wrong.
+    FarAway {
+        /// Median distance of the tool from the origin of the surface \[m\].
+        distance: f64,
     },
     /// The tool never came near the surface.
     NeverNearSurface {
@@ -285,6 +312,8 @@ impl Doubt {
             Self::ObservationContradicts { seen, believed, .. } => *seen as f64 > believed[1],
             Self::UnusableWrench { unusable, share } => unusable.lost_share(*share) > MOST_UNUSABLE,
             Self::NoContactForce { .. }
+            | Self::ForceInOtherUnit { .. }
+            | Self::FarAway { .. }
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
             | Self::Curved { .. }
@@ -325,6 +354,7 @@ impl Doubt {
             self,
             Self::ContactFarFromSurface { .. }
                 | Self::NeverNearSurface { .. }
+                | Self::FarAway { .. }
                 | Self::TooSteep { .. }
                 | Self::Curved { .. }
                 | Self::CurvedAlong { .. }

@@ -56,9 +56,9 @@ pub struct Interpretation {
     pub doubts: Vec<Doubt>,
     /// Detected events, sorted by start.
     pub events: Vec<Event>,
-    /// Bias of the sensor along the surface's outward normal, as found in free motion and subtracted \[N\]; 0 where the
-    /// log shows no free motion.
-    pub force_bias: f64,
+    /// Bias of the sensor along the surface's outward normal, as found in free motion and subtracted \[N\]; `None` where the
+    /// log shows no free motion, so that the bias is unknown and nothing was subtracted.
+    pub force_bias: Option<f64>,
     /// Force with which the tool pressed for most of its sliding, inferred from the log \[N\]; `None` where the tool slid
     /// over no plane.
     pub pressed_force: Option<f64>,

@@ -364,7 +364,10 @@ impl Interpreter {
             config: &config,
         };
         let mut doubts = evidence.doubts();
-        doubts.extend(self.find_jumps());
+        // In a wrong unit of length, a tool that moves jumps.
+        if !matches!(doubts[..], [Doubt::FarAway { .. }]) {
+            doubts.extend(self.find_jumps());
+        }
         if let Some(doubt) = self.find_unusable() {
             // Wrenches that are not used explain missing contact.
             let place = if classified.plane.is_none() {
@@ -394,7 +397,7 @@ impl Interpreter {
         // Without contacts on a plane it is unknown whether the tool touched.
         let has_plane = classified.plane.is_some();
         LogAnalysis {
-            force_bias: reading.normal_bias(measured),
+            force_bias: (reading.has_free_motion).then(|| reading.normal_bias(measured)),
             pressed: reading.pressed,
             force_ratio: reference / self.config.nominal_force(),
             config,
@@ -526,8 +529,8 @@ impl Interpreter {
 
 /// What the samples show before they are replayed.
 struct LogAnalysis {
-    /// Bias of the sensor along the normal [N].
-    force_bias: f64,
+    /// Bias of the sensor along the normal [N]; `None` if it is unknown.
+    force_bias: Option<f64>,
     /// Force with which the tool pressed for most of the time [N].
     pressed: Option<f64>,
     /// Nominal force of this log over the declared one [1].

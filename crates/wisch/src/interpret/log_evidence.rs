@@ -5,7 +5,7 @@ use super::contact::{
     ClassifiedPath, ContactLevels, ContactShape, ForceReading, MeasuredPiece, PathPiece,
     PressDirection, ShapeFit, ToolStiffness, is_inland,
 };
-use super::doubt::{Doubt, NEAR};
+use super::doubt::{Doubt, FAR, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
 use crate::geometry::Point3;
 use crate::represent::Surface;
@@ -97,6 +97,11 @@ impl LogEvidence<'_> {
         // A tool that slides at one of few heights is on a surface and not guided by hand.
         let led = find_hand_guiding(path, self.events).filter(|_| heights.is_none());
         let mut doubts: Vec<Doubt> = Vec::new();
+        // In a wrong unit of length or a wrong frame, heights, speeds and jumps mean nothing.
+        if let Some(far) = self.find_distance() {
+            doubts.push(far);
+            return doubts;
+        }
         if self.declared.gap_m > 0.0 {
             doubts.extend(led);
             return doubts;
@@ -122,7 +127,11 @@ impl LogEvidence<'_> {
                 let curved = self.find_curvature().filter(Doubt::is_other_surface);
                 Some(curved.unwrap_or(scatter))
             };
-            let reason = far_off.or(heights).or(led).or_else(shape);
+            let reason = far_off.or(heights).or(led);
+            if reason.is_none() {
+                doubts.extend(self.find_other_unit());
+            }
+            let reason = reason.or_else(shape);
             doubts.extend(reason.or_else(|| self.explain_missing_contact()));
             doubts.extend(distant.and_then(|_| self.find_load()));
             return doubts;
@@ -213,14 +222,53 @@ impl LogEvidence<'_> {
         if closest > NEAR {
             return Some(Doubt::NeverNearSurface { closest });
         }
+        let (forces, lasts) = self.near_forces();
+        Some(Doubt::NoContactForce {
+            closest,
+            force: forces.get(forces.len() * 9 / 10).copied().unwrap_or(0.0),
+            declared: self.declared.nominal_force(),
+            lasts,
+        })
+    }
+
+    /// Returns a doubt if the tool is too far from the surface for any robot that works there.
+    fn find_distance(&self) -> Option<Doubt> {
+        let mut distances: Vec<f64> = (self.pieces.iter())
+            .map(|piece| piece.position.coords.norm())
+            .collect();
+        distances.sort_unstable_by(f64::total_cmp);
+        let distance = *distances.get(distances.len() / 2)?;
+        let corners = self.surface.outline.outer().iter();
+        let size = corners.map(|corner| corner.coords.norm());
+        let size = size.fold(0.0, f64::max);
+        (distance > size + FAR).then_some(Doubt::FarAway { distance })
+    }
+
+    /// Returns the sizes of the forces at which the tool was low enough to touch, in ascending order [N], and the time there
+    /// [s].
+    fn near_forces(&self) -> (Vec<f64>, f64) {
         let is_low = self.is_low();
+        let path = &self.classified.path;
+        let lasts = (0..path.len().min(is_low.len()))
+            .filter(|&i| is_low[i])
+            .map(|i| PathPiece::duration(path, i).min(LONGEST_GAP))
+            .sum();
         let mut forces: Vec<f64> = (self.pieces.iter().zip(is_low))
             .filter(|(_, is_low)| *is_low)
             .map(|(piece, _)| piece.force.norm())
             .collect();
         forces.sort_unstable_by(f64::total_cmp);
-        let force = forces.get(forces.len() * 9 / 10).copied().unwrap_or(0.0);
-        Some(Doubt::NoContactForce { closest, force })
+        (forces, lasts)
+    }
+
+    /// Returns a doubt if the force near the surface is the declared one in another unit.
+    fn find_other_unit(&self) -> Option<Doubt> {
+        let (forces, _) = self.near_forces();
+        let force = *forces.get(forces.len() / 2)?;
+        let declared = self.declared.nominal_force();
+        let is_noise = self.reading.has_free_motion && force <= self.reading.noise;
+        (!is_noise && fits_other_unit(force, declared))
+            .then_some(Doubt::ForceInOtherUnit { force, declared })
     }
 
     /// Returns a doubt if the contacts lie on a surface that is no plane.

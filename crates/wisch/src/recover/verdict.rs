@@ -335,7 +335,7 @@ mod tests {
             diagnosis: Diagnosis::Localized,
             doubts: vec![],
             events: vec![],
-            force_bias: 0.0,
+            force_bias: Some(0.0),
             pressed_force: None,
             tool_stiffness: None,
             contact_share: Some(1.0),

@@ -393,6 +393,100 @@ fn a_force_in_another_unit_is_no_wiping() {
 }
 
 #[test]
+fn a_force_in_another_unit_names_the_unit_and_its_factor() {
+    let units = [
+        (1.0 / 9.80665, "a log in kgf needs a factor of 9.80665"),
+        (1.0 / 4.448, "a log in lbf needs a factor of 4.44822"),
+        (0.001, "a log in kN needs a factor of 1000"),
+        (10.0, "a log in dN needs a factor of 0.1"),
+        (1000.0, "a log in mN needs a factor of 0.001"),
+    ];
+    let script = one_stroke();
+    let [start, end] = script.contacts()[0];
+    for (factor, unit) in units {
+        // With free motion, and without any, so that the bias is unknown.
+        for times in [0.0..1e9, start + 0.1..end - 0.1] {
+            let found = changed(&script, |_, _, sample| {
+                let force = sample.force * factor;
+                (times.contains(&sample.time)).then_some(TouchSample { force, ..sample })
+            });
+            let is_said = |doubt: &Doubt| doubt.to_string().contains(unit);
+            assert!(
+                found.doubts.iter().any(is_said),
+                "{unit}: {:?}",
+                found.doubts
+            );
+            assert!(!found.is_conclusive(), "{unit}: {:?}", found.doubts);
+        }
+    }
+    // What a controller may press with is no other unit.
+    for factor in [0.5, 1.5, 2.0] {
+        let found = changed(&script, |_, _, sample| {
+            let force = sample.force * factor;
+            Some(TouchSample { force, ..sample })
+        });
+        let texts: Vec<String> = found.doubts.iter().map(ToString::to_string).collect();
+        assert!(
+            !texts.iter().any(|text| text.contains("needs a factor")),
+            "{texts:?}"
+        );
+    }
+}
+
+#[test]
+fn a_log_in_millimetres_has_no_other_fault_than_its_unit_of_length() {
+    let script = one_stroke();
+    let [start, end] = script.contacts()[0];
+    for times in [0.0..1e9, start..end] {
+        let found = changed(&script, |_, k, sample| {
+            let mut world_from_tool = sample.world_from_tool;
+            world_from_tool.translation.vector *= 1000.0;
+            (k % 40 == 0 && times.contains(&sample.time)).then_some(TouchSample {
+                world_from_tool,
+                ..sample
+            })
+        });
+        assert!(
+            matches!(found.doubts[..], [Doubt::FarAway { distance }] if distance > 100.0),
+            "{:?}",
+            found.doubts
+        );
+        assert!(found.doubts[0].to_string().contains("--length-unit-m"));
+        assert!(!found.is_conclusive());
+    }
+}
+
+#[test]
+fn missing_contact_states_the_time_and_the_force_that_do_not_show_it() {
+    let script = one_stroke();
+    let [start, end] = script.contacts()[0];
+    let near = 0.5 * (start + end);
+    let doubt = |lasts: f64, force: f64| {
+        let found = changed(&script, |surface, _, sample| {
+            let is_near = (near..near + lasts).contains(&sample.time);
+            let up = surface.rotation * Vector3::z();
+            let above = if is_near { 0.01 } else { 0.025 };
+            let push = if is_near { force } else { 0.0 };
+            let sample = moved(sample, up * above);
+            Some(TouchSample {
+                force: up * push,
+                ..sample
+            })
+        });
+        let texts: Vec<String> = found.doubts.iter().map(ToString::to_string).collect();
+        texts.join("; ")
+    };
+    let short = doubt(0.06, 174.0);
+    let is_short = short.contains("for only 0.0") && short.contains("too short to show contact");
+    assert!(is_short && !short.contains("174"), "{short}");
+    let weak = doubt(1.0, 0.02);
+    assert!(
+        weak.contains("it is below 0.0200 N; press_force_n is "),
+        "{weak}"
+    );
+}
+
+#[test]
 fn samples_too_far_apart_are_reported() {
     let found = changed(&Script::default(), |_, k, sample| {
         (k % 1000 == 0).then_some(sample)

@@ -1,6 +1,7 @@
 //! The words of doubts.
 
-use super::{Doubt, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
+use super::force_unit::describe_units;
+use super::{Doubt, LEAST_NEAR, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
 use crate::interpret::contact::{ContactLevel, STIFFEST};
 use crate::interpret::wrench_quality::UnusableWrenches;
 use std::fmt;
@@ -8,7 +9,14 @@ use std::fmt;
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NoContactForce { closest, force } => write_no_contact(f, closest, force),
+            Self::NoContactForce {
+                closest,
+                force,
+                declared,
+                lasts,
+            } => write_no_contact(f, closest, [force, declared], lasts),
+            Self::ForceInOtherUnit { force, declared } => write_other_unit(f, force, declared),
+            Self::FarAway { distance } => write_far_away(f, distance),
             Self::NeverNearSurface { closest } => write_never_near(f, closest),
             Self::NoFreeMotion => f.write_str(
                 "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface",
@@ -24,17 +32,9 @@ impl fmt::Display for Doubt {
                 is_convex,
             } => write_arc(f, radius, direction, is_convex),
             Self::DoublyCurved { radii, direction } => write_doubly_curved(f, radii, direction),
-            Self::NotPlanar { off } => write!(
-                f,
-                "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
-                1e3 * off
-            ),
+            Self::NotPlanar { off } => write_not_planar(f, off),
             Self::SeveralHeights { levels, contacts } => write_heights(f, &levels, contacts),
-            Self::OffShape { off } => write!(
-                f,
-                "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
-                1e3 * off
-            ),
+            Self::OffShape { off } => write_off_shape(f, off),
             Self::PressForceDiffers {
                 force,
                 declared,
@@ -57,10 +57,7 @@ impl fmt::Display for Doubt {
                 lasting,
                 first,
             } => write_jumps(f, left_out, share, lasting, first),
-            Self::Sparse { period } => write!(
-                f,
-                "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
-            ),
+            Self::Sparse { period } => write_sparse(f, period),
             Self::BiasChange {
                 change,
                 share,
@@ -108,13 +105,105 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// Writes [`Doubt::NoContactForce`].
-fn write_no_contact(f: &mut fmt::Formatter<'_>, closest: f64, force: f64) -> fmt::Result {
+/// Writes [`Doubt::FarAway`].
+fn write_far_away(f: &mut fmt::Formatter<'_>, distance: f64) -> fmt::Result {
     write!(
         f,
-        "the tool came within {:.1} mm of the believed surface, but its force shows no contact (it stays below {force:.1} N there): check the height of the surface, and the link and frame of the wrench; or the tool did not press",
-        1e3 * closest
+        "the tool is about {} m from the believed surface: check the unit of length (--length-unit-m), then the frame of the log and the pose of the surface",
+        round_to_one_digit(distance)
     )
+}
+
+/// Writes [`Doubt::NotPlanar`].
+fn write_not_planar(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on no plane: a tenth of them is more than {:.1} mm off the best one, and no cylinder or other smooth shape explains them",
+        1e3 * off
+    )
+}
+
+/// Writes [`Doubt::OffShape`].
+fn write_off_shape(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
+        1e3 * off
+    )
+}
+
+/// Writes [`Doubt::Sparse`].
+fn write_sparse(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
+    write!(
+        f,
+        "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
+    )
+}
+
+/// Writes [`Doubt::NoContactForce`].
+fn write_no_contact(
+    f: &mut fmt::Formatter<'_>,
+    closest: f64,
+    [force, declared]: [f64; 2],
+    lasts: f64,
+) -> fmt::Result {
+    write!(
+        f,
+        "the tool came within {:.1} mm of the believed surface, but ",
+        1e3 * closest
+    )?;
+    if lasts < LEAST_NEAR {
+        return write!(
+            f,
+            "it was within {:.0} mm for only {lasts:.2} s, which is too short to show contact: check the pose of the surface and the frame of the log; or the tool did not wipe",
+            1e3 * NEAR
+        );
+    }
+    let size = Newtons(force);
+    if force < declared {
+        write!(
+            f,
+            "its force shows no contact (for 90 % of the time there it is below {size}; press_force_n is {declared:.1} N)"
+        )?;
+    } else {
+        write!(
+            f,
+            "its force, up to {size} for 90 % of the time there, is not that of a tool that slides on a plane"
+        )?;
+    }
+    f.write_str(": check the height of the surface, and the link and frame of the wrench; or the tool did not press")
+}
+
+/// Writes [`Doubt::ForceInOtherUnit`].
+fn write_other_unit(f: &mut fmt::Formatter<'_>, force: f64, declared: f64) -> fmt::Result {
+    let units = describe_units(force, declared).unwrap_or_default();
+    let pressed = if force < declared {
+        "the tool hardly pressed or "
+    } else {
+        ""
+    };
+    write!(
+        f,
+        "near the believed surface the median force is {}, {:.3} × press_force_n ({declared:.1} N): {units}, unless {pressed}the sensor has a bias",
+        Newtons(force),
+        force / declared
+    )
+}
+
+/// Rounds a positive number to its first digit.
+fn round_to_one_digit(number: f64) -> f64 {
+    let digit = libm::pow(10.0, libm::floor(libm::log10(number)));
+    (number / digit).round() * digit
+}
+
+/// A force in newtons, of which a small one has more digits.
+struct Newtons(f64);
+
+impl fmt::Display for Newtons {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = if self.0.abs() < 0.1 { 4 } else { 1 };
+        write!(f, "{:.digits$} N", self.0)
+    }
 }
 
 /// Writes [`Doubt::NeverNearSurface`].
@@ -182,7 +271,20 @@ fn write_pressed_otherwise(
     declared: f64,
     matters: f64,
 ) -> fmt::Result {
-    let consequence = if !PLAUSIBLE_FORCE.contains(&(force / declared)) {
+    let ratio = force / declared;
+    if let Some(units) = describe_units(force, declared) {
+        let (verb, consequence) = match PLAUSIBLE_FORCE.contains(&ratio) {
+            false => ("is probably", ""),
+            true if matters > MOST_BY_SCALE => ("may be", ", and the estimate depends on it"),
+            true => ("may be", ""),
+        };
+        return write!(
+            f,
+            "the tool pressed with {}, {ratio:.3} × press_force_n ({declared:.1} N), so that the unit of the force {verb} wrong{consequence}: {units}; or set interaction.press_force_n if this is the nominal force",
+            Newtons(force)
+        );
+    }
+    let consequence = if !PLAUSIBLE_FORCE.contains(&ratio) {
         ", so that the unit or the scale of the force is probably wrong (--force-unit-n, --force-scale)"
     } else if matters > MOST_BY_SCALE {
         ", and the estimate depends on whether the tool pressed with this force or the measured force has a wrong scale"
@@ -191,8 +293,7 @@ fn write_pressed_otherwise(
     };
     write!(
         f,
-        "the tool pressed with {force:.1} N, {:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force",
-        force / declared
+        "the tool pressed with {force:.1} N, {ratio:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force"
     )
 }
 

@@ -195,6 +195,12 @@ impl Compiler<'_> {
                 let [start, end] = times.as_slice() else {
                     return None;
                 };
+                // The engine refuses times that end before they begin.
+                if let (Some(start), Some(end)) = (start.as_number(), end.as_number())
+                    && start > end
+                {
+                    return None;
+                }
                 let start = self.require_bound_pattern(start)?;
                 Side::Times(start, self.require_bound_pattern(end)?)
             }
