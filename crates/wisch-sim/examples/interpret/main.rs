@@ -65,14 +65,17 @@ impl Trial<'_> {
         let interpretation = interpret(&samples, self.task, &believed, self.goal, &config)?;
         let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
         println!(
-            "{name:12} true {:5.1} %, believed {:5.1} % ({:.1} to {:.1}), {:.1} s of log in {milliseconds:.0} ms, contact {:.1} %, bias {:+.2} N",
+            "{name:12} true {:5.1} %, believed {:5.1} % ({:.1} to {:.1}), {:.1} s of log in {milliseconds:.0} ms, contact {}, bias {}",
             100.0 * truth,
             100.0 * interpretation.performance.mean,
             100.0 * interpretation.performance.low,
             100.0 * interpretation.performance.high,
             executed.duration,
-            100.0 * interpretation.contact_share.unwrap_or(f64::NAN),
-            interpretation.force_bias,
+            known(interpretation.contact_share, |share| format!(
+                "{:.1} %",
+                100.0 * share
+            )),
+            known(interpretation.force_bias, |bias| format!("{bias:+.2} N")),
         );
         print_plane(&interpretation);
         print_events(&interpretation, &reality.pushes);
@@ -212,4 +215,9 @@ fn main() -> Result<(), AnyError> {
         )?;
     }
     Ok(())
+}
+
+/// A number in words; "unknown" if the log does not show it.
+fn known(number: Option<f64>, in_words: impl Fn(f64) -> String) -> String {
+    number.map_or_else(|| "unknown".to_owned(), in_words)
 }
