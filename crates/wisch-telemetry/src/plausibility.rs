@@ -1,6 +1,7 @@
 //! Plausibility checks of a log, which reveal wrong units.
 
 use super::options::LogOptions;
+use wisch::geometry::Vector3;
 use wisch::interpret::TouchSample;
 
 /// Longest period between samples that still shows what a tool does [s].
@@ -13,6 +14,8 @@ const LEAST_WAY: f64 = 0.02;
 const FAR: f64 = 10.0;
 /// Distance from the surface that counts as near, in a candidate for the unit [m].
 const NEAR: f64 = 3.0;
+/// Usual distance of a wiping tool from the middle of its way [m], by which units are compared.
+const USUAL_SPREAD: f64 = 0.2;
 /// Largest force that a wiping robot measures [N].
 const MOST_FORCE: f64 = 2000.0;
 
@@ -41,12 +44,16 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
     };
     let far = distance(1.0);
     if far > FAR {
-        let units = LENGTHS.map(|(unit, name)| (distance(unit), unit, name));
-        let nearest = units.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
-        let advice = match nearest.filter(|(distance, ..)| *distance < NEAR) {
-            Some((distance, unit, name)) => format!(
-                "in {name} (--length-unit-m {}) it would be {distance:.2} m",
+        let spread = find_spread(samples);
+        let near = LENGTHS
+            .into_iter()
+            .filter(|(unit, _)| distance(*unit) < NEAR);
+        let strange = |unit: f64| (spread * unit / USUAL_SPREAD).ln().abs();
+        let advice = match near.min_by(|a, b| strange(a.0).total_cmp(&strange(b.0))) {
+            Some((unit, name)) => format!(
+                "in {name} (--length-unit-m {}) it would be {:.2} m",
                 unit * options.length_unit.unwrap_or(1.0),
+                distance(unit),
             ),
             None => "check surface.position_m and --world-from-log".to_owned(),
         };
@@ -76,6 +83,13 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
     doubts
 }
 
+/// Returns the median distance of the tool from the middle of its way [m].
+fn find_spread(samples: &[TouchSample]) -> f64 {
+    let at = |sample: &TouchSample| sample.world_from_tool.translation.vector;
+    let middle = samples.iter().map(at).sum::<Vector3>() / samples.len().max(1) as f64;
+    median(samples.iter().map(|sample| (at(sample) - middle).norm())).unwrap_or(0.0)
+}
+
 /// Returns the median; `None` without numbers.
 fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
     let mut numbers: Vec<f64> = numbers.collect();
@@ -90,20 +104,25 @@ fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wisch::geometry::{Pose, Vector3};
+    use wisch::geometry::Pose;
 
     /// Warnings for a tool that moves at 0.1 m/s for 10 s on a surface 0.8 m from the world's origin, in the given
     /// units.
     fn log(time_unit: f64, length_unit: f64, force: f64) -> Vec<String> {
+        log_over(Vector3::new(0.5, 0.0, 0.8), (time_unit, length_unit), force)
+    }
+
+    /// The same on a surface whose middle is at a point of the world [m].
+    fn log_over(middle: Vector3, (time_unit, length_unit): (f64, f64), force: f64) -> Vec<String> {
         let sample = |tick: u32| {
             let time = f64::from(tick) / 25.0;
-            let position = Vector3::new(0.1 * time, 0.0, 0.8) / length_unit;
+            let position = (middle + Vector3::x() * (0.1 * time - 0.5)) / length_unit;
             let pose = Pose::translation(position.x, position.y, position.z);
             TouchSample::new(time / time_unit, pose, Vector3::z() * force)
         };
         let samples: Vec<TouchSample> = (0..250).map(sample).collect();
         let options = LogOptions {
-            world_from_surface: Pose::translation(0.5, 0.0, 0.8),
+            world_from_surface: Pose::translation(middle.x, middle.y, middle.z),
             ..LogOptions::default()
         };
         doubts(&samples, &options)
@@ -125,6 +144,15 @@ mod tests {
         // A wrong unit of length comes before one of time.
         let both = log(1e-3, 1e-3, 10.0);
         assert!(both[0].contains("in millimetres") && both[1].starts_with("a sample every"));
+        // Around the world's origin, every unit brings the tool near the surface.
+        for (unit, name) in [
+            (1e-2, "centimetres"),
+            (1e-3, "millimetres"),
+            (1e-6, "micrometres"),
+        ] {
+            let found = one(log_over(Vector3::zeros(), (1.0, unit), 10.0));
+            assert!(found.contains(&format!("in {name} ")), "{found}");
+        }
         let micrometres = one(log(1.0, 1e-6, 10.0));
         assert!(
             micrometres.contains("--length-unit-m 0.000001)"),
