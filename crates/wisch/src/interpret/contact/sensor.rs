@@ -118,14 +118,18 @@ pub(super) fn clock_offset(pieces: &[MeasuredPiece], on: &[usize], free: &[usize
     };
     let contrast = |offset: f64| {
         let [on, free] = [mean(&on, offset), mean(&free, offset)];
-        on.zip(free).map_or(0.0, |(on, free)| f64::abs(on - free))
+        on.zip(free).map_or(0.0, |(on, free)| on - free)
     };
-    let aligned = contrast(0.0);
+    let aligned = contrast(0.0).abs();
     let steps = (farthest / step) as i32;
     let tried: Vec<(f64, f64)> = (-steps..=steps)
         .map(|i| f64::from(i) * step)
         .map(|offset| (contrast(offset), offset))
         .collect();
+    // The sign depends on which forces were taken for those at rest.
+    let largest = (tried.iter()).max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+    let sign = largest.map_or(1.0, |(most, _)| most.signum());
+    let tried: Vec<(f64, f64)> = tried.iter().map(|(on, at)| (sign * on, *at)).collect();
     let most = tried.iter().map(|(found, _)| *found).fold(0.0, f64::max);
     // Strokes that follow each other regularly fit again after a period.
     let is_peak = |i: &usize| {
@@ -227,5 +231,22 @@ mod tests {
             })
             .collect();
         assert!((clock_offset(&late, &on, &free) - 0.3).abs() < 0.03);
+    }
+
+    #[test]
+    fn regular_strokes_are_not_read_in_the_air_between_them() {
+        let (press, rest) = (Vector3::z() * 10.0, Vector3::zeros());
+        let runs: Vec<(usize, Vector3)> = (0..30).flat_map(|_| [(50, rest), (50, press)]).collect();
+        let strokes = pieces(&runs);
+        let is_stroke = |i: &usize| i % 100 >= 50;
+        let (on, free): (Vec<usize>, Vec<usize>) = (0..3000).partition(is_stroke);
+        let late: Vec<MeasuredPiece> = (strokes.iter().enumerate())
+            .map(|(i, piece)| MeasuredPiece {
+                force: strokes[i.saturating_sub(30)].force,
+                ..*piece
+            })
+            .collect();
+        let found = clock_offset(&late, &on, &free);
+        assert!((found - 0.6).abs() < 0.03, "{found}");
     }
 }
