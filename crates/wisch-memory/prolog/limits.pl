@@ -43,7 +43,7 @@ limited(hardest_collision(C, F), Ls) :- !,
     same(F, F1).
 limited(last_episode(Episode, Time), Ls) :- !,
     known_limits(Ls),
-    aggregate_all(max(T0, E0), limited_episode(E0, T0, Ls), max(T1, E1)),
+    aggregate_all(max(S0, E0-T0), limited_episode(E0, S0, T0, Ls), max(_, E1-T1)),
     same(Episode, E1),
     same(Time, T1).
 limited(Drift, Ls) :- drift(Drift, Kind, Thing, D), !,
@@ -64,7 +64,7 @@ limited(Statement, Ls) :- has_time(Statement, Of), !,
     kept(Ls, S, E).
 limited(Statement, _) :- functor(Statement, Name, Arity), throw(no_time(Name, Arity)).
 
-limited_episode(Episode, End, Ls) :- of_class(Episode, 'semco:WipingEpisode'), timed(Episode, S, End), kept(Ls, S, End).
+limited_episode(Episode, S, End, Ls) :- of_class(Episode, 'semco:WipingEpisode'), timed(Episode, S, End), kept(Ls, S, End).
 
 pose_limited(during([S, E]), O, Pose) :-
     is_at_time(O, S, Pose),

@@ -114,7 +114,7 @@ predicate(strategy_performance, 3, 'strategy_performance(Strategy, Mean, N): mea
 predicate(surface_performance, 3, 'surface_performance(Surface, Mean, N): mean performance on a surface, over N episodes').
 predicate(episode_with_tool, 2, 'episode_with_tool(Episode, Tool): episodes with a tool').
 predicate(episode_on_surface, 2, 'episode_on_surface(Episode, Surface): episodes on a surface').
-predicate(last_episode, 2, 'last_episode(Episode, Time): the latest episode, and its end [s since 1970]').
+predicate(last_episode, 2, 'last_episode(Episode, Time): the episode that began last, and its end [s since 1970]').
 predicate(episode_of, 2, 'episode_of(Thing, Episode): the episode of Thing').
 predicate(sure_failure, 2, 'sure_failure(Action, High): actions whose whole confidence interval lies below the target').
 predicate(kb_call, 1, 'kb_call(Goal): solves Goal').

@@ -151,9 +151,10 @@ impl Knowledge {
         }))
     }
 
-    /// Returns the episode that ended last.
+    /// Returns the episode that began last. An episode lasts the robot's time, which a simulation beats, so that its end says
+    /// little.
     pub fn last_episode(&self) -> Option<&EpisodeRow> {
         let episodes = self.catalogue.episodes().iter();
-        episodes.max_by(|a, b| a.interval[1].total_cmp(&b.interval[1]))
+        episodes.max_by(|a, b| a.interval[0].total_cmp(&b.interval[0]))
     }
 }

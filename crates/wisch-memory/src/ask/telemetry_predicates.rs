@@ -121,7 +121,7 @@ impl TelemetryPredicates {
 
     fn last_pose(&mut self, catalogue: &Catalogue, thing: &str) -> Result<Term, QueryFault> {
         let mut episodes: Vec<&EpisodeRow> = catalogue.episodes().iter().collect();
-        episodes.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
+        episodes.sort_by(|a, b| b.interval[0].total_cmp(&a.interval[0]));
         let mut first = None;
         for episode in episodes {
             for round in (1..=episode.rounds.len()).rev() {

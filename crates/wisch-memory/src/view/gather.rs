@@ -261,7 +261,7 @@ impl Gathering<'_> {
     /// Returns the last round with telemetry.
     fn latest(&mut self, thing: &str) -> Result<Vec<Stretch>, ViewError> {
         let mut rows: Vec<&EpisodeRow> = self.catalogue.episodes().iter().collect();
-        rows.sort_by(|a, b| b.interval[1].total_cmp(&a.interval[1]));
+        rows.sort_by(|a, b| b.interval[0].total_cmp(&a.interval[0]));
         for row in rows {
             for number in (1..=row.rounds.len()).rev() {
                 let Ok(round) = self.open(row, number) else {

@@ -384,6 +384,10 @@ impl<'s> Solver<'s> {
                 let [Some(start), Some(end)] = times else {
                     return Err(Stop::Declined);
                 };
+                // The engine reports times in the wrong order.
+                if end < start {
+                    return Err(Stop::Declined);
+                }
                 Some(Known::Times([start, end], None))
             }
         })
