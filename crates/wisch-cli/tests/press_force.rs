@@ -25,7 +25,7 @@ fn a_force_too_weak_for_the_dirt_leaves_the_goal_unknown() {
     let reaction = "by the interaction's likelihood, 27.0 % of the particles react";
     assert!(summary.contains(reaction), "{summary}");
     assert!(
-        remarks.contains("press_force_n is 3 N, and the knowledge base has the likelihood at 10 N"),
+        remarks.contains("press_force_n is 3 N, and the knowledge base has 10 N"),
         "{remarks}"
     );
     let (_, record, _) = predict("3", &["--json"]);

@@ -104,6 +104,7 @@ struct CheckRecord<'a> {
     distance_in_contact_m: f64,
     unreachable_share: f64,
     predicted_performance: f64,
+    reaction_probability: f64,
     target_performance: f64,
     lost_share: f64,
     score: f64,
@@ -144,6 +145,7 @@ impl<'a> CheckRecord<'a> {
             distance_in_contact_m: plan.contact_distance(),
             unreachable_share: plan.unreachable_share,
             predicted_performance: performance.ratio(),
+            reaction_probability: task.interaction.reaction_probability(),
             target_performance: prepared.run.target,
             lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
             score: prediction.score(),
@@ -356,7 +358,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         )),
     }
     lines.push(("target", prospect(prepared, prediction, abandons)));
-    let weak = describe_weak_reaction(task.interaction.reaction_probability());
+    let weak = describe_weak_reaction(task.interaction.reaction_probability(), prepared.run.target);
     lines.extend(weak.map(|sentence| ("reaction", sentence)));
     let mut text = format!("{}: {heading}\n", task.name);
     for (name, value) in lines {
@@ -385,6 +387,10 @@ fn prospect(prepared: &LoadedTask, prediction: &Prediction, abandons: bool) -> S
             "{}: {what} is predicted to reach it, but more than {} of the points have more passes than polish.max_passes",
             percent(target),
             percent(1.0 - target)
+        ),
+        _ if prepared.task.interaction.reaction_probability() < target => format!(
+            "{}: {what} is predicted to reach it only if more particles react",
+            percent(target)
         ),
         _ => format!("{}, which {what} is predicted to reach", percent(target)),
     }

@@ -177,7 +177,10 @@ pub(super) fn in_words(
             performance_in_words(summary, prediction, rounds),
         ));
         if rounds.is_empty() {
-            let weak = describe_weak_reaction(prediction.reaction_probability);
+            let weak = describe_weak_reaction(
+                prediction.reaction_probability,
+                prediction.target_performance,
+            );
             lines.extend(weak.map(|sentence| ("reaction", sentence)));
         }
         if let Some(following) = &summary.following {

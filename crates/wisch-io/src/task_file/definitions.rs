@@ -231,7 +231,11 @@ impl TaskFile {
         // An entry for all surfaces stays unchanged for other surfaces.
         interaction.surface = SurfaceScope::Named(surface.to_owned());
         let remark = (!is_assumed)
-            .then(|| overrides.given.press(&mut interaction))
+            .then(|| {
+                overrides
+                    .given
+                    .press(&mut interaction, defined.tool.is_some())
+            })
             .flatten();
         assumed.extend(remark);
         if let Some(tool) = &defined.tool {
@@ -278,23 +282,35 @@ impl Definitions {
 }
 
 impl InteractionTable {
-    /// Sets the given force in an interaction that is known at another one, and returns a sentence on what is assumed of the
-    /// likelihood; `None` if the file states it, or no other force.
-    fn press(&self, known: &mut Interaction) -> Option<String> {
+    /// Sets the given force in an interaction that is known at another one, and returns a sentence on what is assumed of
+    /// likelihood and compression; `None` if the file states them, or no other force.
+    ///
+    /// `has_tool`: whether the file defines the tool, with its compression.
+    fn press(&self, known: &mut Interaction, has_tool: bool) -> Option<String> {
         let force = self.press_force_n.as_ref()?.0;
         let before = known.press_force_n;
-        if force == before || known.hovers() {
+        let hovers = (self.gap_m.as_ref()).map_or(known.hovers(), |gap| gap.0 > 0.0);
+        if force == before || hovers {
             return None;
         }
         known.press_with(force);
-        if self.mu.is_some() {
-            return None;
-        }
-        Some(format!(
-            "interaction.press_force_n is {force} N, and the knowledge base has the likelihood at {before} N: assuming that the particles need the same force, interaction.mu = {:.3}, so that {:.1} % of them react when the tool first touches them",
-            known.likelihood.mu,
-            100.0 * known.reaction_probability()
-        ))
+        let law = self.mu.is_none().then(|| {
+            format!(
+                "interaction.mu = {:.3}, so that {:.1} % of the particles react when the tool first touches them",
+                known.likelihood.mu,
+                100.0 * known.reaction_probability()
+            )
+        });
+        let depth = known.compression_depth_m;
+        let is_kept = has_tool || self.compression_depth_m.is_some() || depth == 0.0;
+        let depth = (!is_kept).then(|| format!("interaction.compression_depth_m = {depth:.4}"));
+        let assumed: Vec<String> = law.into_iter().chain(depth).collect();
+        (!assumed.is_empty()).then(|| {
+            format!(
+                "interaction.press_force_n is {force} N, and the knowledge base has {before} N: assuming that particles need the same force, and that the tool is as stiff up to twice its compression: {}",
+                assumed.join("; ")
+            )
+        })
     }
 
     /// Sets the given values in an interaction, and returns `key = value` of each force, stiffness, damping, weight, depth

@@ -469,7 +469,7 @@ fn a_task_may_override_what_the_knowledge_has() {
     assert_eq!(
         assumed,
         [
-            "interaction.press_force_n is 4 N, and the knowledge base has the likelihood at 10 N: assuming that the particles need the same force, interaction.mu = -0.134, so that 70.4 % of them react when the tool first touches them"
+            "interaction.press_force_n is 4 N, and the knowledge base has 10 N: assuming that particles need the same force, and that the tool is as stiff up to twice its compression: interaction.mu = -0.134, so that 70.4 % of the particles react when the tool first touches them"
         ]
     );
     // Elsewhere it is what it was.
@@ -499,7 +499,11 @@ fn a_force_alone_scales_the_compression_and_a_given_likelihood_holds() {
         "foam bottoms out"
     );
     let (stated, said) = known("press_force_n = 5\nmu = -1.0");
-    assert_eq!((stated.likelihood.mu, said), (-1.0, 0));
+    assert_eq!((stated.likelihood.mu, said), (-1.0, 1), "the compression");
+    let (stated, said) = known("press_force_n = 5\nmu = -1.0\ncompression_depth_m = 0.003");
+    assert_eq!((stated.compression_depth_m, said), (0.003, 0));
+    let (hovers, said) = known("press_force_n = 5\ngap_m = 0.003");
+    assert_eq!((&hovers.likelihood, said), (&declared.likelihood, 0));
     let (same, said) = known("press_force_n = 10");
     assert_eq!((&same.likelihood, said), (&declared.likelihood, 0));
 }

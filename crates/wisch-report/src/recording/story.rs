@@ -351,7 +351,10 @@ fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
 }
 
 fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
-    let weak = describe_weak_reaction(outcome.task.interaction.reaction_probability());
+    let weak = describe_weak_reaction(
+        outcome.task.interaction.reaction_probability(),
+        outcome.target,
+    );
     Story {
         asked,
         happened: format!(

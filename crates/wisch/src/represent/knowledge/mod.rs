@@ -354,12 +354,13 @@ impl Interaction {
 }
 
 /// Returns what a prediction leaves out, as a sentence without its full stop. `None` where at least 95 % of the particles
-/// react.
+/// react, and as many as the target demands.
 ///
 /// # Parameters
 /// - `probability`: [`Interaction::reaction_probability`] of the task \[1\].
-pub fn describe_weak_reaction(probability: f64) -> Option<String> {
-    (probability < WEAK_REACTION).then(|| {
+/// - `target`: performance that meets the goal \[1\].
+pub fn describe_weak_reaction(probability: f64, target: f64) -> Option<String> {
+    (probability < WEAK_REACTION.max(target)).then(|| {
         format!(
             "by the interaction's likelihood, {:.1} % of the particles react when the tool first passes; the prediction assumes that all do",
             100.0 * probability
