@@ -215,7 +215,9 @@ fn assumed_unit(instants: &[Option<Instant>]) -> (f64, Option<String>) {
             return (unit, (unit < 1.0).then_some(remark));
         }
     }
-    let Some(step) = step.filter(|step| *step >= LONG_STEP) else {
+    // Times that mostly run backwards show no step.
+    let backwards = counts.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    let Some(step) = step.filter(|step| *step >= LONG_STEP && 2 * backwards < counts.len()) else {
         return (1.0, None);
     };
     let fits = |&&(unit, _): &&(f64, &str)| step * unit <= USUAL_STEP;
