@@ -10,12 +10,10 @@ timed(E, Start, End) :- stream(individuals, i(E, _, S, T, _, _)), S \== none, sa
 same_time(Time, T) :- ( number(Time) -> Time =:= T ; Time = T ).
 
 % occurs(?Event, [?Start, ?End])
-occurs(Event, [Start, End]) :- has_time_interval(Event, [Start, End]).
+occurs(Event, [Start, End]) :- event_interval(Event, Start, End).
 occurs(Event) :- event_interval(Event, _, _).
 
-has_time_interval(Event, [Start, End]) :-
-    ( number(Start), number(End) -> forward(Start, End) ; true ),
-    event_interval(Event, Start, End).
+has_time_interval(Event, [Start, End]) :- event_interval(Event, Start, End).
 
 % Allen's relations (1983). Either side is an event, or [Start, End]; if one side is unknown, the program finds it.
 interval_before(A, B) :- related(before, A, B).

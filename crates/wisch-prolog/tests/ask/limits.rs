@@ -104,8 +104,6 @@ fn a_time_that_ends_before_it_begins_is_an_error_that_names_both() {
             "(has_type(C, 'Collision') during [1060, 1070]) until 1000",
             "(\\+ has_type(_, 'Collision')) during [1060, 1000]",
             "is_at(sponge, P) during [1060, 1000]",
-            "occurs(C, [1060, 1000])",
-            "has_time_interval(C, [1060, 1000])",
             "interval_during(C, [1060, 1000])",
             "interval_before([1060, 1000], C)",
             "telemetry(force, [1060, 1000], max, V)",
