@@ -73,9 +73,9 @@ export const formatKnown = (value: number | null | undefined, text: (value: numb
 
 /** Formats a time: seconds below a minute, else minutes and seconds, with hours if needed. */
 export function clockText(seconds: number, digits = 1): string {
-  if (seconds < 60) return `${fixed(seconds, digits)} s`;
-  const scale = 10 ** digits;
-  const whole = Math.round(seconds * scale) / scale;
+  const text = fixed(seconds, digits);
+  const whole = Number(text);
+  if (!(whole >= 60)) return `${text} s`;
   const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
   const rest = (whole % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
   return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${rest}` : `${minutes}:${rest}`;

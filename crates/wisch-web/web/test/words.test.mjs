@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { compareWithTruth } from "../src/belief.ts";
-import { fixed, percent } from "../src/dom.ts";
+import { clockText, fixed, percent } from "../src/dom.ts";
 import { Recording } from "../src/store.ts";
 import { findIncidents } from "../src/story.ts";
 import { findGains, predictWhole } from "../src/strokes.ts";
@@ -19,6 +19,11 @@ test("ties get an even last digit, as in Rust", () => {
   for (const [share, text] of shares) assert.equal(percent(share, 1), text);
   assert.deepEqual([0.5, 1.5, 2.5, -0.5, -2.5, 1e9 + 0.5].map((value) => fixed(value, 0)), ["0", "2", "2", "0", "\u22122", "1000000000"]);
   assert.deepEqual([fixed(0.125, 2), fixed(0.375, 2), fixed(-0.25, 1), fixed(1e21, 1), fixed(NaN, 1)], ["0.12", "0.38", "\u22120.2", "1e+21", "NaN"]);
+});
+
+test("times are rounded in one way, below and above a minute", () => {
+  assert.deepEqual([59.25, 60.25, 59.96, 60, 3661.75, -0.25].map((time) => clockText(time)), ["59.2 s", "1:00.2", "1:00.0", "1:00.0", "1:01:01.8", "\u22120.2 s"]);
+  assert.deepEqual([59.5, 90.5, 7200].map((time) => clockText(time, 0)), ["1:00", "1:30", "2:00:00"]);
 });
 
 test("a tool beside the surface has no height over it", () => {
