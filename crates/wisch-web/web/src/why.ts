@@ -53,11 +53,13 @@ export function describeBegin(round: Round, before: Round | null): string[] {
   ];
 }
 
-/** Says which strokes take dirt out of the goal area, if later ones are predicted to bring it back. */
+/** Says which strokes take dirt out of the goal area, where later ones are predicted to bring it back. */
 export function describeDetours({ plan: { goal } }: Round, gains: readonly StrokeGain[], whole: number): string[] {
-  const away = gains.filter(({ gain }) => gain <= -LEAST_SHARE);
-  const rise = gains.reduce((sum, { gain }) => sum + gain, 0);
-  if (goal?.kind !== "collected" || !away.length || rise < 0) return [];
+  const away = gains.filter(({ gain }, i) => {
+    let change = 0;
+    return gain <= -LEAST_SHARE && gains.slice(i).some((one) => (change += one.gain) > -LEAST_SHARE);
+  });
+  if (goal?.kind !== "collected" || !away.length) return [];
   const most = Math.max(...away.map(({ gain }) => -gain));
   return [
     `${away.length > 1 ? "Strokes" : "Stroke"} ${listNumbers(away.map(({ stroke }) => stroke + 1))} ${away.length > 1 ? "are" : "is"} predicted to take dirt out of the goal area, ${fixed(100 * most, 1)} points at most. The tool pushes all dirt in its way; later strokes bring it back, and the plan reaches ${percent(whole, 1)}.`,

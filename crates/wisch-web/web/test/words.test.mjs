@@ -69,6 +69,9 @@ test("a prediction that begins away from the estimate says why, and a stroke tha
   first.plan.growth = [[0, 0.2], ...strokes.map(({ end }, i) => [end, [0.5, 0.1, 0.4, 0.6, 0.8][i]])];
   const away = () => describeDetours(first, findGains(first), predictWhole(first));
   assert.match(away()[0], /^Stroke 2 is predicted to take dirt out of the goal area, 40\.0 points at most\. .* later strokes bring it back, and the plan reaches \d+\.\d\u202f%\.$/);
-  first.plan.growth.at(-1)[1] = 0.1;
+  const grow = (levels) => { first.plan.growth = [[0, 0.2], ...strokes.map(({ end }, i) => [end, levels[i]])]; };
+  grow([0.5, 0.6, 0.7, 0.8, 0.7]);
   assert.deepEqual(away(), [], "what no later stroke brings back");
+  grow([0.5, 0.4, 0.45, 0.6, 0.1]);
+  assert.match(away()[0], /^Stroke 2 is predicted to take dirt out of the goal area, 10\.0 points at most\./, "and the last stroke does not");
 });
