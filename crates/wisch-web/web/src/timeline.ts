@@ -297,10 +297,14 @@ export class Timeline {
 /** Says what the timeline shows of a round. */
 export function describeRound(recording: Recording, round: Round): string {
   const { number, start, end, plan, contacts: { contact, pushed }, normal, interpreted, events } = round;
-  const sum = (list: readonly (readonly [number, number])[]) => list.reduce((all, [from, to]) => all + to - from, 0);
+  const sum = (list: readonly (readonly [number, number])[]) => clockText(list.reduce((all, [from, to]) => all + to - from, 0));
+  const isLogged = plan.kind === "logged";
+  const isMeasured = round.count > 0 && normal.least <= normal.largest;
+  const count = (number: number, noun: string) => `${number} ${noun}${number === 1 ? "" : "s"}`;
   return `${[
-    `Round ${number}, ${clockText(start)} to ${clockText(end)}: ${plan.strokes.length} strokes`, `in contact for ${clockText(sum(contact))}`,
-    pushed.length ? `pushed for ${clockText(sum(pushed))}` : "", events.length ? `${events.length} detected ${events.length === 1 ? "event" : "events"}` : "",
+    `Round ${number}, ${clockText(start)} to ${clockText(end)}`, isLogged ? "" : count(plan.strokes.length, "stroke"),
+    isMeasured ? `in contact for ${sum(contact)}` : isLogged ? "" : `planned contact for ${sum(contact)}`,
+    pushed.length ? `pushed for ${sum(pushed)}` : "", events.length ? count(events.length, "detected event") : "",
     normal.largest > 0 ? `force at most ${fixed(normal.largest, 1)} N` : "", plan.predicted === null ? "" : `predicted ${percent(plan.predicted)}`,
     interpreted ? `estimated ${estimateText(interpreted.estimate)}` : "", endText(recording, round),
   ].filter((part) => part).join(", ")}.`;

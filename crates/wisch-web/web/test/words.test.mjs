@@ -54,8 +54,15 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
 test("the timeline has a text for each round", () => {
   const recording = parse();
   const [first, second] = recording.rounds.map((round) => describeRound(recording, round));
-  assert.match(first, /^Round 1, 0\.0 s to \d+\.\d s: 5 strokes, in contact for \d+\.\d s, pushed for \d\.\d s, \d detected events?, force at most \d+\.\d N, predicted \d+\u202f%, estimated \d+/);
-  assert.match(second, /^Round 2, .*: 2 strokes, .*\.$/);
+  assert.match(first, /^Round 1, 0\.0 s to \d+\.\d s, 5 strokes, in contact for \d+\.\d s, pushed for \d\.\d s, \d detected events?, force at most \d+\.\d N, predicted \d+\u202f%, estimated \d+/);
+  assert.match(second, /^Round 2, .*, 2 strokes, .*\.$/);
+  const [planned] = Recording.parse(lines(sample().filter(({ piece }) => piece !== "samples"))).rounds;
+  assert.match(describeRound(recording, planned), /, 5 strokes, planned contact for \d+\.\d s, /, "without samples, contact is planned");
+  const say = (change) => describeRound(recording, parse((piece) => (piece.piece === "round" ? { ...piece, ...change } : piece)).rounds[1]);
+  assert.match(say({ strokes: [[0, 0, 100, 0]] }), /, 1 stroke, /);
+  assert.doesNotMatch(say({ kind: "logged", strokes: [] }), /stroke/);
+  const logged = sample().filter(({ piece }) => piece !== "samples").map((piece) => (piece.piece === "round" ? { ...piece, kind: "logged", strokes: [], phases: [] } : piece));
+  assert.doesNotMatch(describeRound(recording, Recording.parse(lines(logged)).rounds[1]), /stroke,|strokes|contact/, "a log without samples states neither");
 });
 
 test("a prediction that begins away from the estimate says why, and a stroke that takes dirt out of the goal area too", () => {
