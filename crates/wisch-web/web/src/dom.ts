@@ -64,7 +64,7 @@ export const saysPush = (text: string): boolean => /push|hand guiding|human/i.te
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
 
 /** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
-export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
+export const estimateText = ({ mean, low, high }: Estimate, digits = 0, result = percent(mean, digits)): string => `${result} (90\u202f%: ${percent(low, digits)} to ${percent(high, digits)})`;
 
 /** What stands for an unknown value. */
 export const DASH = "\u2013";

@@ -48,8 +48,8 @@ export function findIncidents(round: Round): IncidentRecord[] {
   if (!isTruthOutside(round)) return stated;
   return [...stated, {
     time: null, title: "The ground truth lies outside the interval of the estimate",
-    evidence: `Estimated ${estimateText(round.interpreted!.estimate)}, true ${percent(round.truth!.performance!, 1)}.`,
-    effect: "A right 90\u202f% interval misses the truth in one of ten rounds. Only a simulated world knows this.", advice: "",
+    evidence: `Estimated ${estimateText(round.interpreted!.estimate, 1)}, true ${percent(round.truth!.performance!, 1)}.`,
+    effect: "A correct 90\u202f% interval misses the ground truth in one of ten rounds. The ground truth is known only in simulation.", advice: "",
   }];
 }
 

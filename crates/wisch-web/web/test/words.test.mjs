@@ -42,7 +42,7 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
   const outside = parse((piece) => (piece.piece === "truth" && piece.round === 2 ? { ...piece, performance: 0.01 } : piece)).rounds[1];
   const missed = findIncidents(outside).at(-1);
   assert.match(missed.title, /ground truth lies outside the interval/);
-  assert.match(missed.evidence, /^Estimated .*, true 1\.0\u202f%\.$/);
+  assert.match(missed.evidence, /^Estimated \d+\.\d\u202f% \(90\u202f%: \d+\.\d\u202f% to \d+\.\d\u202f%\), true 1\.0\u202f%\.$/);
   assert.match(compareWithTruth(outside).at(-1).join(), /outside the interval$/);
   const [first, second] = parse().rounds;
   assert.ok(!findIncidents(second).some(({ title }) => title === missed.title));

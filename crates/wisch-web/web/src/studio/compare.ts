@@ -70,7 +70,7 @@ function factsOf(recording: Recording): Fact[] {
   const actual = last?.truth?.performance ?? null;
   const peak = Math.max(...rounds.map(({ normal }) => normal.largest));
   const way = contactWay(recording);
-  const estimate = interpreted ? estimateText(interpreted.estimate, unknown ? ended!.verdict! : undefined) : DASH;
+  const estimate = interpreted ? estimateText(interpreted.estimate, 0, unknown ? ended!.verdict! : undefined) : DASH;
   return [
     { label: "Task", text: task ? `${task.action} on ${task.surface}` : DASH },
     { label: "Medium", text: task?.medium ?? DASH },
