@@ -58,9 +58,6 @@ export const capitalise = (text: string): string => text.charAt(0).toUpperCase()
 /** The name of a phase for people; files have "transfer". */
 export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
 
-/** Whether a text names a push, by which somebody or something else acts on the robot. */
-export const saysPush = (text: string): boolean => /push|hand guiding|human/i.test(text);
-
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
 
 /** Returns an estimate with its interval; `result` stands for a mean that says nothing. */

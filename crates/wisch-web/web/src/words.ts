@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say, saysPush } from "./dom.ts";
+import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say } from "./dom.ts";
 import { isOver } from "./scene/bend.ts";
 import type { Clock } from "./clock.ts";
 import type { Fact } from "./recording.ts";
@@ -166,9 +166,9 @@ export class Words {
     const { recording, clock } = this;
     const list = recording.happenings.slice(0, MOST_EVENTS);
     this.shownEvents = [];
-    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, round, kind, words, source, byHand }) => {
+    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, round, kind, words, source }) => {
       const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
-        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` in round ${round}: ${byHand && !saysPush(kind) ? "somebody or something pushed, " : ""}${words}`));
+        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` in round ${round}: ${words}`));
       this.shownEvents.push({ element: button, start, end });
       return el("li", {}, button);
     }), recording.happenings.length > MOST_EVENTS && el("li", { class: "w-quiet" }, `and ${recording.happenings.length - MOST_EVENTS} more`)) : el("p", { class: "w-quiet" }, "None."));

@@ -46,7 +46,7 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
   assert.match(compareWithTruth(outside).at(-1).join(), /outside the interval$/);
   const [first, second] = parse().rounds;
   assert.ok(!findIncidents(second).some(({ title }) => title === missed.title));
-  const [push] = first.events.filter(({ by_hand }) => by_hand);
+  const [push] = first.events.filter(({ kind }) => kind === "collision");
   first.interpreted.incidents = [{ time: push.start, title: "2 collisions", evidence: "At 9.1 s.", effect: "", advice: "" }, { time: null, title: "Less was wiped", evidence: "", effect: "", advice: "" }];
   assert.deepEqual(findIncidents(first).slice(0, 2).map(({ evidence }) => evidence), ["Somebody or something pushed the robot. At 9.1 s.", ""]);
 });

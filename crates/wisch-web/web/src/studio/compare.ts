@@ -51,7 +51,7 @@ export function contactWay({ rounds }: Recording): number | null {
   return way;
 }
 
-/** Counts the detected events by their kinds: "2 × human collision, 1 × landing". */
+/** Counts the detected events by their kinds: "2 × push, 1 × landing". */
 function countEvents({ happenings }: Recording): string {
   const counts = new Map<string, number>();
   for (const { source, kind } of happenings) if (source === "event") counts.set(kind, (counts.get(kind) ?? 0) + 1);
