@@ -47,7 +47,7 @@ export function headlineOf(recording: Recording, { round, time, phase: index }: 
   return `${phase ? phaseText(phase.name) : "starting"}${stroke}`;
 }
 
-const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
+const makeFact = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
 /** Returns the height of the tool over the surface as believed, or that it is beside the surface. */
 export function heightText({ height, tool, contact, round: { plan } }: Instant): string {
@@ -153,11 +153,11 @@ export class Words {
       el("p", { class: "w-quiet" }, `Round ${round.number}, known from ${clockText(round.end)} on.`),
       el("p", {}, el("strong", {}, endText(this.recording, round)), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
-        ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
-        ...makeRow("Estimated", estimateText(interpreted.estimate)),
-        ...makeRow("From touch only", estimateText(interpreted.by_touch)),
-        ...(typeof truth?.performance === "number" ? makeRow("True", percent(truth.performance)) : []),
-        ...(interpreted.found ? makeRow("Surface", "not at its believed pose") : [])),
+        ...makeFact("Predicted", formatKnown(round.plan.predicted, percent)),
+        ...makeFact("Estimated", estimateText(interpreted.estimate)),
+        ...makeFact("From touch only", estimateText(interpreted.by_touch)),
+        ...(typeof truth?.performance === "number" ? makeFact("True", percent(truth.performance)) : []),
+        ...(interpreted.found ? makeFact("Surface", "not at its believed pose") : [])),
       makeList(interpreted.words),
     );
   }
@@ -208,7 +208,7 @@ export class Words {
     }
     this.numbers.replaceChildren(...[...groups].flatMap(([round, rows]) => [
       ...(groups.size > 1 ? [el("h3", {}, round === null ? `Whole run, ${rounds.length} rounds` : `Round ${round}`)] : []),
-      el("dl", { class: "w-facts" }, ...rows.flatMap(([label, value]) => makeRow(String(label), String(value)))),
+      el("dl", { class: "w-facts" }, ...rows.flatMap(([label, value]) => makeFact(String(label), String(value)))),
     ]));
   }
 }
