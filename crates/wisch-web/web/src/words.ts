@@ -49,10 +49,12 @@ export function headlineOf(recording: Recording, { round, time, phase: index }: 
 
 const makeFact = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
 
+const BESIDE = "beside the surface";
+
 /** Returns the height of the tool over the surface as believed, or that it is beside the surface. */
 export function heightText({ height, tool, contact, round: { plan } }: Instant): string {
   if (height === null) return DASH;
-  return tool && contact !== "contact" && !isOver(plan.surface, tool) ? "beside the surface" : `${fixed(1000 * height, 1)} mm`;
+  return tool && contact !== "contact" && !isOver(plan.surface, tool) ? BESIDE : `${fixed(1000 * height, 1)} mm`;
 }
 
 /** What replaces plan and result of an episode that was kept without a recording. */
@@ -125,6 +127,7 @@ export class Words {
       say(this.headline, stage?.words ?? (!recording.live ? "The recording has no rounds." : recording.head ? "No round has begun." : "The recording is empty so far."));
       say(this.below, "");
       for (const value of Object.values(this.live)) say(value, DASH);
+      delete this.live.height.dataset.words;
       return;
     }
     const { round, time, normal, performance, contact } = instant;
@@ -133,8 +136,9 @@ export class Words {
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
-    say(this.live.height, heightText(instant));
-    this.live.height.toggleAttribute("data-words", !/\d/.test(this.live.height.textContent));
+    const height = heightText(instant);
+    say(this.live.height, height);
+    this.live.height.toggleAttribute("data-words", height === BESIDE);
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));
