@@ -86,7 +86,7 @@ export class Why {
 
   constructor(private readonly seek: (time: number) => void, private readonly choose: (choice: Choice | null) => void) {}
 
-  /** Explains the plan of a round, `before`: the previous round; `otherwise` stands for missing reasons. */
+  /** Explains the plan of a round. `before`: the previous round; `otherwise`: the text if there are no reasons. */
   show(round: Round | null, before: Round | null, otherwise: string): void {
     if (round && round === this.round) return;
     if (this.stroke !== null || this.rejected) this.choose(null);
