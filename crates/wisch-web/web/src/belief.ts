@@ -92,6 +92,7 @@ export function compareWithTruth(round: Round): Comparison[] {
   const performance = round.truth!.performance ?? null;
   const rows = isTreated(round) ? compareTreated(round) : compareDirt(round);
   if (performance === null) return rows;
-  const off = `${fixed(Math.abs(Math.round(1000 * mean) - Math.round(1000 * performance)) / 10, 1)} points, ${isTruthOutside(round) ? "outside" : "inside"} the interval`;
+  const shown = (share: number) => Number(fixed(100 * share, 1));
+  const off = `${fixed(Math.abs(shown(mean) - shown(performance)), 1)} points, ${isTruthOutside(round) ? "outside" : "inside"} the interval`;
   return [...rows, ["Performance", percent(mean, 1), percent(performance, 1), off]];
 }

@@ -58,13 +58,10 @@ export const capitalise = (text: string): string => text.charAt(0).toUpperCase()
 /** The name of a phase for people; files have "transfer". */
 export const phaseText = (name: string): string => (name === "transfer" ? "free motion" : name);
 
-/** Whether a text names a push, by which somebody or something else acts on the robot. */
-export const saysPush = (text: string): boolean => /push|hand guiding|human/i.test(text);
-
 export const percent = (share: number, digits = 0): string => `${fixed(100 * share, digits)}\u202f%`;
 
 /** Returns an estimate with its interval; `result` stands for a mean that says nothing. */
-export const estimateText = ({ mean, low, high }: Estimate, result = percent(mean)): string => `${result} (90\u202f%: ${percent(low)} to ${percent(high)})`;
+export const estimateText = ({ mean, low, high }: Estimate, digits = 0, result = percent(mean, digits)): string => `${result} (90\u202f%: ${percent(low, digits)} to ${percent(high, digits)})`;
 
 /** What stands for an unknown value. */
 export const DASH = "\u2013";
@@ -73,9 +70,9 @@ export const formatKnown = (value: number | null | undefined, text: (value: numb
 
 /** Formats a time: seconds below a minute, else minutes and seconds, with hours if needed. */
 export function clockText(seconds: number, digits = 1): string {
-  if (seconds < 60) return `${fixed(seconds, digits)} s`;
-  const scale = 10 ** digits;
-  const whole = Math.round(seconds * scale) / scale;
+  const text = fixed(seconds, digits);
+  const whole = Number(text);
+  if (!(whole >= 60)) return `${text} s`;
   const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
   const rest = (whole % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
   return hours ? `${hours}:${String(minutes).padStart(2, "0")}:${rest}` : `${minutes}:${rest}`;

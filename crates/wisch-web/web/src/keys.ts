@@ -19,7 +19,7 @@ export const KEYS: [string, string][] = [
   ["V", "view from above"],
   ["W A S D", "turn the scene (while it has the focus)"],
   ["Z X", "zoom in, out (while the scene has the focus)"],
-  ["I O", "select the part of the path from, up to the shown time (or drag on the plot of forces)"],
+  ["I O", "start (I) or end (O) the selected part of the path at the shown time (or drag on the plot of forces)"],
   ["Esc", "end the selection; close a menu"],
 ];
 
@@ -33,7 +33,7 @@ const views: HTMLElement[] = [];
 
 /** Whether the focused element uses a key itself, as a text field or a list does. */
 const isTaken = (target: EventTarget | null, key: string): boolean => {
-  if (!(target instanceof HTMLElement)) return false;
+  if (!(target instanceof HTMLElement) || key === "Escape") return false;
   if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;
   if (target instanceof HTMLInputElement && target.type === "range") return /^(Arrow|Page|Home$|End$)/.test(key);
   if (target instanceof HTMLInputElement) return !(target.type === "checkbox" && key !== " ");

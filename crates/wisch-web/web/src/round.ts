@@ -48,8 +48,17 @@ interface States {
   pushed: Intervals;
 }
 
-/** Whether an event is somebody or something that acts on the tool or the arm. */
-const isPush = ({ kind, by_hand }: EventRecord): boolean => by_hand || /collision/i.test(kind);
+/** An event with its interval on the common clock [s]. */
+export interface Happening extends Omit<EventRecord, "by_hand"> {
+  /** "event": detected by the robot. "push": ground truth of the simulated world. */
+  source: "event" | "push";
+  round: number;
+}
+
+/** Returns the kind of an event in which somebody or something acts on the robot; null for other events. Files call a push a
+ * collision. */
+export const pushOf = ({ kind, by_hand }: EventRecord): "push" | "hand guiding" | null =>
+  /guiding/i.test(kind) ? "hand guiding" : by_hand || /collision/i.test(kind) ? "push" : null;
 
 export class Round {
   readonly number: number;
@@ -219,7 +228,7 @@ export class Round {
     // Detected contacts may be weaker than what is visible without knowledge of the press force.
     const weakest = Math.max(CONFIRM_N, 0.5 * least);
     const known = interpreted?.contacts ?? plan.contacts;
-    const detected = this.events.filter(isPush).map(({ start, end }) => [start, end] as const);
+    const detected = this.events.filter(pushOf).map(({ start, end }) => [start, end] as const);
     if (!this.count || !isMeasured) {
       const planned = plan.phases.filter(({ contact }) => contact).map(({ start, end }) => [start, end] as const);
       return { contact: mergeIntervals(known ?? planned), pushed: mergeIntervals(detected) };

@@ -1,7 +1,7 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { lastIndex } from "./columns.ts";
 import { metres } from "./particles.ts";
-import { Round, type Contact } from "./round.ts";
+import { Round, pushOf, type Contact, type Happening } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
 import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
@@ -23,17 +23,8 @@ export interface Instant {
   phase: number;
 }
 
-/** An event with its interval on the common clock [s]. */
-export interface Happening {
-  start: number;
-  end: number;
-  /** "event": detected by the robot. "push": ground truth of the simulated world. */
-  source: "event" | "push";
-  round: number;
-  kind: string;
-  words: string;
-  byHand: boolean;
-}
+/** Tolerance for equal times [s]. */
+export const SAME_S = 1e-3;
 
 /** Shape of a surface; none for a plane. */
 export type Bend = SurfaceShape | null | undefined;
@@ -259,9 +250,9 @@ export class Recording {
     if (this.cachedHappenings?.version === this.version) return this.cachedHappenings.list;
     const list: Happening[] = [];
     for (const { number: round, start, events, truth } of this.rounds) {
-      for (const { by_hand, ...event } of events) list.push({ ...event, start: start + event.start, end: start + event.end, source: "event", round, byHand: by_hand });
+      for (const event of events) list.push({ start: start + event.start, end: start + event.end, source: "event", round, kind: pushOf(event) ?? event.kind, words: event.words });
       for (const [from, to] of truth?.pushes ?? []) {
-        list.push({ start: start + from, end: start + to, source: "push", round, kind: "true push", words: "A push in the simulated world.", byHand: true });
+        list.push({ start: start + from, end: start + to, source: "push", round, kind: "true push", words: "A push in the simulated world." });
       }
     }
     list.sort((a, b) => a.start - b.start);

@@ -1,6 +1,6 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
 import { isComparable, isTruthOutside } from "./belief.ts";
-import { clockText, el, estimateText, percent, say, saysPush, svg } from "./dom.ts";
+import { clockText, el, estimateText, percent, say, svg } from "./dom.ts";
 import { onNews } from "./frames.ts";
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
@@ -8,8 +8,8 @@ import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
-import type { Round } from "./round.ts";
-import type { Recording } from "./store.ts";
+import { pushOf, type Round } from "./round.ts";
+import { SAME_S, type Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
 import { LOGGED, stateOf } from "./words.ts";
 
@@ -23,9 +23,6 @@ const makeLegend = (names: string[]) =>
 
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
-
-/** Tolerance for equal times [s]. */
-const SAME_S = 1e-3;
 
 const describePrediction = (predicted: number | null): string => (predicted === null ? "" : ` Predicted performance: ${percent(predicted)}.`);
 
@@ -42,14 +39,14 @@ function makeCommand(command: string): HTMLElement {
 /** Returns what did not go as planned in a round: what its recording states, in which stated pushes say so, and a truth that the estimate misses. */
 export function findIncidents(round: Round): IncidentRecord[] {
   const stated = (round.interpreted?.incidents ?? []).map((incident) => {
-    const isPush = round.events.some(({ by_hand, start }) => by_hand && incident.time !== null && Math.abs(start - incident.time) < SAME_S);
-    return isPush && !saysPush(incident.title) ? { ...incident, evidence: `Somebody or something pushed the robot. ${incident.evidence}` } : incident;
+    const isPush = round.events.some((event) => pushOf(event) === "push" && incident.time !== null && Math.abs(event.start - incident.time) < SAME_S);
+    return isPush && !/push|human/i.test(incident.title) ? { ...incident, evidence: `Somebody or something pushed the robot. ${incident.evidence}` } : incident;
   });
   if (!isTruthOutside(round)) return stated;
   return [...stated, {
     time: null, title: "The ground truth lies outside the interval of the estimate",
-    evidence: `Estimated ${estimateText(round.interpreted!.estimate)}, true ${percent(round.truth!.performance!, 1)}.`,
-    effect: "A right 90\u202f% interval misses the truth in one of ten rounds. Only a simulated world knows this.", advice: "",
+    evidence: `Estimated ${estimateText(round.interpreted!.estimate, 1)}, true ${percent(round.truth!.performance!, 1)}.`,
+    effect: "A correct 90\u202f% interval misses the ground truth in one of ten rounds. The ground truth is known only in simulation.", advice: "",
   }];
 }
 

@@ -1,5 +1,5 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
-import { clockText, el, estimateText, fixed, percent, say, uniqueId } from "./dom.ts";
+import { clockText, el, estimateText, fixed, percent, phaseText, say, uniqueId } from "./dom.ts";
 import { frames } from "./frames.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { endText, heightText } from "./words.ts";
@@ -51,7 +51,7 @@ export class Timeline {
     this.frame = new Frame(compact ? COMPACT : LANES);
     this.element = el("div", {
       class: "w-timeline", role: "slider", tabindex: 0, "aria-label": "Time in the run",
-      "aria-valuemin": 0, "aria-describedby": this.description.id, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End",
+      "aria-valuemin": 0, "aria-describedby": this.description.id, "aria-keyshortcuts": "Space ArrowLeft ArrowRight [ ] Home End I O Escape",
     }, this.base, this.veil, this.hair, this.cursor, this.whole, this.tip, this.description);
     listenPointer(this.element, {
       seek: (x) => {
@@ -183,7 +183,7 @@ export class Timeline {
     element.setAttribute("aria-valuenow", clock.time.toFixed(2));
     const instant = recording.at(clock.time);
     const phase = instant?.round.plan.phases[instant.phase]?.name;
-    element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phase}` : ""}${this.selection ? `, ${describeSelection(recording, this.selection)}` : ""}`);
+    element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phaseText(phase)}` : ""}${this.selection ? `, ${describeSelection(recording, this.selection)}` : ""}`);
   }
 
   /** Whether the drawing is outdated. During a live run, redraws are throttled. */
@@ -281,7 +281,7 @@ export class Timeline {
     const ended = this.recording.rounds.findLast((other) => other.interpreted && Math.abs(t - other.end) < 4 * near) ?? this.recording.resultAt(t);
     return [
       `${clockText(t, 2)} \u00b7 round ${round.number}`,
-      round.plan.phases[phase]?.name ?? "",
+      phaseText(round.plan.phases[phase]?.name ?? ""),
       normal === null ? "" : `force ${fixed(normal, 1)} N${contact === "none" || round.target === null ? "" : `, target ${fixed(round.target, 1)} N`}`,
       height === null ? "" : `tool height ${heightText(instant)}`,
       contact === "none" ? "" : contact === "pushed" ? `pushed by somebody or something${height !== null && height > HIGH_M ? ", not on the surface" : ""}` : "contact with the surface",
@@ -297,10 +297,14 @@ export class Timeline {
 /** Says what the timeline shows of a round. */
 export function describeRound(recording: Recording, round: Round): string {
   const { number, start, end, plan, contacts: { contact, pushed }, normal, interpreted, events } = round;
-  const sum = (list: readonly (readonly [number, number])[]) => list.reduce((all, [from, to]) => all + to - from, 0);
+  const sum = (list: readonly (readonly [number, number])[]) => clockText(list.reduce((all, [from, to]) => all + to - from, 0));
+  const isLogged = plan.kind === "logged";
+  const isMeasured = round.count > 0 && normal.least <= normal.largest;
+  const count = (number: number, noun: string) => `${number} ${noun}${number === 1 ? "" : "s"}`;
   return `${[
-    `Round ${number}, ${clockText(start)} to ${clockText(end)}: ${plan.strokes.length} strokes`, `in contact for ${clockText(sum(contact))}`,
-    pushed.length ? `pushed for ${clockText(sum(pushed))}` : "", events.length ? `${events.length} detected ${events.length === 1 ? "event" : "events"}` : "",
+    `Round ${number}, ${clockText(start)} to ${clockText(end)}`, isLogged ? "" : count(plan.strokes.length, "stroke"),
+    isMeasured ? `in contact for ${sum(contact)}` : isLogged ? "" : `planned contact for ${sum(contact)}`,
+    pushed.length ? `pushed for ${sum(pushed)}` : "", events.length ? count(events.length, "detected event") : "",
     normal.largest > 0 ? `force at most ${fixed(normal.largest, 1)} N` : "", plan.predicted === null ? "" : `predicted ${percent(plan.predicted)}`,
     interpreted ? `estimated ${estimateText(interpreted.estimate)}` : "", endText(recording, round),
   ].filter((part) => part).join(", ")}.`;

@@ -41,18 +41,18 @@ function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, p
     else if (key === "t") panel.toggleFollow();
     else if (key === "l" && clock.live) clock.follow();
     else if (key === "i" || key === "o") timeline.selectTo(key === "o");
-    else if (key !== "escape" || !timeline.select(null)) return false;
+    else if (key !== "escape" || !(closeMenu(element) || timeline.select(null))) return false;
     return true;
   });
 }
 
-/** Closes the open menu beside the clock at the Escape key. */
-function closeMenu(event: KeyboardEvent): void {
-  const menu = event.key === "Escape" && (event.currentTarget as HTMLElement).querySelector<HTMLDetailsElement>("details[name=w-menu][open]");
-  if (!menu) return;
+/** Closes the open menu beside the clock. Returns whether one was open. */
+function closeMenu(view: HTMLElement): boolean {
+  const menu = view.querySelector<HTMLDetailsElement>("details[name=w-menu][open]");
+  if (!menu) return false;
   menu.open = false;
   menu.querySelector("summary")!.focus();
-  event.preventDefault();
+  return true;
 }
 
 export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
@@ -68,7 +68,6 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
   const bar = makeTransport(clock, recording, film?.element ?? null);
   const element = el("div", { class: `w-view${compact ? " w-compact" : ""}` },
     el("div", { class: "w-grid" }, panel.element, words?.element, el("div", { class: "w-below" }, bar.element, timeline.element)));
-  element.addEventListener("keydown", closeMenu);
   root.append(element);
 
   const texts = throttle(isSoftwareRendered() ? TEXT_MS : 0, () => {

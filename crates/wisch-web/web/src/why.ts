@@ -2,7 +2,7 @@
 import { el, estimateText, fixed, formatKnown, makeList, makeRow, makeTable, percent } from "./dom.ts";
 import { describeStroke, findGains, LEAST_SHARE, makeStrokeFigures, predictWhole, type StrokeGain } from "./strokes.ts";
 import type { Considered, Places, RoundPiece } from "./recording.ts";
-import type { Round } from "./round.ts";
+import { pushOf, type Round } from "./round.ts";
 
 /** Strokes that are not part of the plan. */
 export interface Rejected {
@@ -46,18 +46,19 @@ export function describeBegin(round: Round, before: Round | null): string[] {
   const begin = round.growthAt(0);
   const estimate = before?.interpreted?.estimate;
   if (!before || !estimate || begin === null || Math.abs(begin - estimate.mean) < FAR) return [];
-  const pushes = before.events.filter(({ by_hand }) => by_hand).length;
   return [
     `The prediction begins at ${percent(begin, 1)}, ${begin < estimate.mean ? "below" : "above"} the estimate of ${estimateText(estimate)} after round ${before.number}. It starts from one random draw from the new belief; the estimate is the mean of all draws.${
-      pushes ? ` ${pushes === 1 ? "A push" : `${pushes} pushes`} in round ${before.number} left open what was wiped there.` : ""}`,
+      before.events.some(pushOf) ? ` A push or hand guiding in round ${before.number} may have left open what was wiped there.` : ""}`,
   ];
 }
 
-/** Says which strokes take dirt out of the goal area, if later ones are predicted to bring it back. */
+/** Says which strokes take dirt out of the goal area, where later ones are predicted to bring it back. */
 export function describeDetours({ plan: { goal } }: Round, gains: readonly StrokeGain[], whole: number): string[] {
-  const away = gains.filter(({ gain }) => gain <= -LEAST_SHARE);
-  const rise = gains.reduce((sum, { gain }) => sum + gain, 0);
-  if (goal?.kind !== "collected" || !away.length || rise < 0) return [];
+  const away = gains.filter(({ gain }, i) => {
+    let change = 0;
+    return gain <= -LEAST_SHARE && gains.slice(i).some((one) => (change += one.gain) > -LEAST_SHARE);
+  });
+  if (goal?.kind !== "collected" || !away.length) return [];
   const most = Math.max(...away.map(({ gain }) => -gain));
   return [
     `${away.length > 1 ? "Strokes" : "Stroke"} ${listNumbers(away.map(({ stroke }) => stroke + 1))} ${away.length > 1 ? "are" : "is"} predicted to take dirt out of the goal area, ${fixed(100 * most, 1)} points at most. The tool pushes all dirt in its way; later strokes bring it back, and the plan reaches ${percent(whole, 1)}.`,
@@ -85,7 +86,7 @@ export class Why {
 
   constructor(private readonly seek: (time: number) => void, private readonly choose: (choice: Choice | null) => void) {}
 
-  /** Explains the plan of a round, `before` which another one ended; `otherwise` stands for missing reasons. */
+  /** Explains the plan of a round. `before`: the previous round; `otherwise`: the text if there are no reasons. */
   show(round: Round | null, before: Round | null, otherwise: string): void {
     if (round && round === this.round) return;
     if (this.stroke !== null || this.rejected) this.choose(null);

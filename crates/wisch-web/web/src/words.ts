@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say, saysPush } from "./dom.ts";
+import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say } from "./dom.ts";
 import { isOver } from "./scene/bend.ts";
 import type { Clock } from "./clock.ts";
 import type { Fact } from "./recording.ts";
@@ -47,12 +47,14 @@ export function headlineOf(recording: Recording, { round, time, phase: index }: 
   return `${phase ? phaseText(phase.name) : "starting"}${stroke}`;
 }
 
-const makeRow = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
+const makeFact = (label: string, value: string) => [el("dt", {}, label), el("dd", {}, value)];
+
+const BESIDE = "beside the surface";
 
 /** Returns the height of the tool over the surface as believed, or that it is beside the surface. */
 export function heightText({ height, tool, contact, round: { plan } }: Instant): string {
   if (height === null) return DASH;
-  return tool && contact !== "contact" && !isOver(plan.surface, tool) ? "beside the surface" : `${fixed(1000 * height, 1)} mm`;
+  return tool && contact !== "contact" && !isOver(plan.surface, tool) ? BESIDE : `${fixed(1000 * height, 1)} mm`;
 }
 
 /** What replaces plan and result of an episode that was kept without a recording. */
@@ -125,6 +127,7 @@ export class Words {
       say(this.headline, stage?.words ?? (!recording.live ? "The recording has no rounds." : recording.head ? "No round has begun." : "The recording is empty so far."));
       say(this.below, "");
       for (const value of Object.values(this.live)) say(value, DASH);
+      delete this.live.height.dataset.words;
       return;
     }
     const { round, time, normal, performance, contact } = instant;
@@ -133,8 +136,9 @@ export class Words {
     say(this.below, `Round ${round.number} of ${rounds}${round.plan.kind === "planned" ? " (planned only)" : ""} \u00b7 ${clockText(time)} of ${clockText(round.length)}`);
     say(this.live.contact, contact === "contact" ? "yes" : contact === "pushed" ? "pushed" : "none");
     say(this.live.force, formatKnown(normal, (force) => `${fixed(force, 1)} N`));
-    say(this.live.height, heightText(instant));
-    this.live.height.toggleAttribute("data-words", !/\d/.test(this.live.height.textContent));
+    const height = heightText(instant);
+    say(this.live.height, height);
+    this.live.height.toggleAttribute("data-words", height === BESIDE);
     const result = recording.resultAt(clock.time)?.interpreted;
     say(this.performanceName, result ? "Estimated" : "Predicted");
     say(this.live.performance, result ? percent(result.estimate.mean) : formatKnown(performance, percent));
@@ -153,11 +157,11 @@ export class Words {
       el("p", { class: "w-quiet" }, `Round ${round.number}, known from ${clockText(round.end)} on.`),
       el("p", {}, el("strong", {}, endText(this.recording, round)), interpreted.ending ? ` \u00b7 ${interpreted.ending}` : ""),
       el("dl", { class: "w-facts" },
-        ...makeRow("Predicted", formatKnown(round.plan.predicted, percent)),
-        ...makeRow("Estimated", estimateText(interpreted.estimate)),
-        ...makeRow("From touch only", estimateText(interpreted.by_touch)),
-        ...(typeof truth?.performance === "number" ? makeRow("True", percent(truth.performance)) : []),
-        ...(interpreted.found ? makeRow("Surface", "not at its believed pose") : [])),
+        ...makeFact("Predicted", formatKnown(round.plan.predicted, percent)),
+        ...makeFact("Estimated", estimateText(interpreted.estimate)),
+        ...makeFact("From touch only", estimateText(interpreted.by_touch)),
+        ...(typeof truth?.performance === "number" ? makeFact("True", percent(truth.performance)) : []),
+        ...(interpreted.found ? makeFact("Surface", "not at its believed pose") : [])),
       makeList(interpreted.words),
     );
   }
@@ -166,9 +170,9 @@ export class Words {
     const { recording, clock } = this;
     const list = recording.happenings.slice(0, MOST_EVENTS);
     this.shownEvents = [];
-    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, round, kind, words, source, byHand }) => {
+    this.events.replaceChildren(list.length ? el("ul", { class: "w-events" }, ...list.map(({ start, end, round, kind, words, source }) => {
       const button = el("button", { type: "button", "data-source": source, click: () => clock.seek(start) },
-        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` in round ${round}: ${byHand && !saysPush(kind) ? "somebody or something pushed, " : ""}${words}`));
+        el("span", { class: "w-when" }, clockText(start)), el("span", {}, el("strong", {}, kind), ` in round ${round}: ${words}`));
       this.shownEvents.push({ element: button, start, end });
       return el("li", {}, button);
     }), recording.happenings.length > MOST_EVENTS && el("li", { class: "w-quiet" }, `and ${recording.happenings.length - MOST_EVENTS} more`)) : el("p", { class: "w-quiet" }, "None."));
@@ -208,7 +212,7 @@ export class Words {
     }
     this.numbers.replaceChildren(...[...groups].flatMap(([round, rows]) => [
       ...(groups.size > 1 ? [el("h3", {}, round === null ? `Whole run, ${rounds.length} rounds` : `Round ${round}`)] : []),
-      el("dl", { class: "w-facts" }, ...rows.flatMap(([label, value]) => makeRow(String(label), String(value)))),
+      el("dl", { class: "w-facts" }, ...rows.flatMap(([label, value]) => makeFact(String(label), String(value)))),
     ]));
   }
 }

@@ -28,6 +28,8 @@ test("numbers of particles in the goal area and elsewhere are those of the densi
   assert.deepEqual(compareWithTruth(skimmed)[0], ["Left on the surface", "10", "7", "3 particles"]);
   const inside = open((piece) => only("truth", 1, { performance: 0.56 })(change(piece))).rounds[0];
   assert.match(compareWithTruth(inside)[3][3], /^6\.0 points, inside/);
+  const tie = open((piece) => only("truth", 1, { performance: 0.5625 })(change(piece))).rounds[0];
+  assert.deepEqual(compareWithTruth(tie)[3].slice(1), ["62.0\u202f%", "56.2\u202f%", "5.8 points, inside the interval"], "the difference of what is shown");
 });
 
 test("a wider belief covers more area", () => {

@@ -48,6 +48,7 @@ const LIES_ON = {
 const PLACES = {
   "on the board": ["believed", "estimated", "actual", "seen", "contact", "lifted", "pushed", "force", "tool", "collision", "event", "goal-line", "rejected"],
   "along the path": ["force-little", "force-target", "force-much", "contact", "lifted", "pushed", "force", "collision", "rejected", "chosen"],
+  "strokes of the plan": ["stroke", "chosen"],
   "outlines of the board": ["found", "actual", "goal-line"],
   "lane of performance": ["believed", "estimated", "actual", "by-touch", "target", "cursor"],
   "lane of events": ["collision", "hand", "event", "actual", "height", "cursor"],

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { compareWithTruth } from "../src/belief.ts";
-import { fixed, percent } from "../src/dom.ts";
+import { clockText, fixed, percent } from "../src/dom.ts";
 import { Recording } from "../src/store.ts";
 import { findIncidents } from "../src/story.ts";
 import { findGains, predictWhole } from "../src/strokes.ts";
@@ -21,6 +21,11 @@ test("ties get an even last digit, as in Rust", () => {
   assert.deepEqual([fixed(0.125, 2), fixed(0.375, 2), fixed(-0.25, 1), fixed(1e21, 1), fixed(NaN, 1)], ["0.12", "0.38", "\u22120.2", "1e+21", "NaN"]);
 });
 
+test("times are rounded in one way, below and above a minute", () => {
+  assert.deepEqual([59.25, 60.25, 59.96, 60, 3661.75, -0.25].map((time) => clockText(time)), ["59.2 s", "1:00.2", "1:00.0", "1:00.0", "1:01:01.8", "\u22120.2 s"]);
+  assert.deepEqual([59.5, 90.5, 7200].map((time) => clockText(time, 0)), ["1:00", "1:30", "2:00:00"]);
+});
+
 test("a tool beside the surface has no height over it", () => {
   const [round] = parse().rounds;
   const { pose, rings } = round.plan.surface;
@@ -37,11 +42,11 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
   const outside = parse((piece) => (piece.piece === "truth" && piece.round === 2 ? { ...piece, performance: 0.01 } : piece)).rounds[1];
   const missed = findIncidents(outside).at(-1);
   assert.match(missed.title, /ground truth lies outside the interval/);
-  assert.match(missed.evidence, /^Estimated .*, true 1\.0\u202f%\.$/);
+  assert.match(missed.evidence, /^Estimated \d+\.\d\u202f% \(90\u202f%: \d+\.\d\u202f% to \d+\.\d\u202f%\), true 1\.0\u202f%\.$/);
   assert.match(compareWithTruth(outside).at(-1).join(), /outside the interval$/);
   const [first, second] = parse().rounds;
   assert.ok(!findIncidents(second).some(({ title }) => title === missed.title));
-  const [push] = first.events.filter(({ by_hand }) => by_hand);
+  const [push] = first.events.filter(({ kind }) => kind === "collision");
   first.interpreted.incidents = [{ time: push.start, title: "2 collisions", evidence: "At 9.1 s.", effect: "", advice: "" }, { time: null, title: "Less was wiped", evidence: "", effect: "", advice: "" }];
   assert.deepEqual(findIncidents(first).slice(0, 2).map(({ evidence }) => evidence), ["Somebody or something pushed the robot. At 9.1 s.", ""]);
 });
@@ -49,14 +54,21 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
 test("the timeline has a text for each round", () => {
   const recording = parse();
   const [first, second] = recording.rounds.map((round) => describeRound(recording, round));
-  assert.match(first, /^Round 1, 0\.0 s to \d+\.\d s: 5 strokes, in contact for \d+\.\d s, pushed for \d\.\d s, \d detected events?, force at most \d+\.\d N, predicted \d+\u202f%, estimated \d+/);
-  assert.match(second, /^Round 2, .*: 2 strokes, .*\.$/);
+  assert.match(first, /^Round 1, 0\.0 s to \d+\.\d s, 5 strokes, in contact for \d+\.\d s, pushed for \d\.\d s, \d detected events?, force at most \d+\.\d N, predicted \d+\u202f%, estimated \d+/);
+  assert.match(second, /^Round 2, .*, 2 strokes, .*\.$/);
+  const [planned] = Recording.parse(lines(sample().filter(({ piece }) => piece !== "samples"))).rounds;
+  assert.match(describeRound(recording, planned), /, 5 strokes, planned contact for \d+\.\d s, /, "without samples, contact is planned");
+  const say = (change) => describeRound(recording, parse((piece) => (piece.piece === "round" ? { ...piece, ...change } : piece)).rounds[1]);
+  assert.match(say({ strokes: [[0, 0, 100, 0]] }), /, 1 stroke, /);
+  assert.doesNotMatch(say({ kind: "logged", strokes: [] }), /stroke/);
+  const logged = sample().filter(({ piece }) => piece !== "samples").map((piece) => (piece.piece === "round" ? { ...piece, kind: "logged", strokes: [], phases: [] } : piece));
+  assert.doesNotMatch(describeRound(recording, Recording.parse(lines(logged)).rounds[1]), /stroke,|strokes|contact/, "a log without samples states neither");
 });
 
 test("a prediction that begins away from the estimate says why, and a stroke that takes dirt out of the goal area too", () => {
   const [first, second] = parse((piece) => (piece.piece === "round" && piece.round === 2 ? { ...piece, growth: [[0, 0.3], [3, 0.4], [9, 0.9]] } : piece)).rounds;
   const [text] = describeBegin(second, first);
-  assert.match(text, /^The prediction begins at 30\.0\u202f%, below the estimate of .* after round 1\. It starts from one random draw from the new belief; .* (A push|\d pushes) in round 1 left open what was wiped there\.$/);
+  assert.match(text, /^The prediction begins at 30\.0\u202f%, below the estimate of .* after round 1\. It starts from one random draw from the new belief; .* A push or hand guiding in round 1 may have left open what was wiped there\.$/);
   assert.deepEqual(describeBegin(first, null), []);
   second.plan.growth = [[0, first.interpreted.estimate.mean + 0.01]];
   assert.deepEqual(describeBegin(second, first), []);
@@ -64,6 +76,9 @@ test("a prediction that begins away from the estimate says why, and a stroke tha
   first.plan.growth = [[0, 0.2], ...strokes.map(({ end }, i) => [end, [0.5, 0.1, 0.4, 0.6, 0.8][i]])];
   const away = () => describeDetours(first, findGains(first), predictWhole(first));
   assert.match(away()[0], /^Stroke 2 is predicted to take dirt out of the goal area, 40\.0 points at most\. .* later strokes bring it back, and the plan reaches \d+\.\d\u202f%\.$/);
-  first.plan.growth.at(-1)[1] = 0.1;
+  const grow = (levels) => { first.plan.growth = [[0, 0.2], ...strokes.map(({ end }, i) => [end, levels[i]])]; };
+  grow([0.5, 0.6, 0.7, 0.8, 0.7]);
   assert.deepEqual(away(), [], "what no later stroke brings back");
+  grow([0.5, 0.4, 0.45, 0.6, 0.1]);
+  assert.match(away()[0], /^Stroke 2 is predicted to take dirt out of the goal area, 10\.0 points at most\./, "and the last stroke does not");
 });

@@ -59,8 +59,7 @@ export class ScenePanel {
   private readonly point = el("div", { class: "w-point", hidden: true });
   private readonly reach = makeReachScale();
   private shown = NOTHING_SHOWN;
-  /** Name of the rejected strokes that a reader chose. */
-  private rejected: string | null = null;
+  private choice: Choice | null = null;
   private scaleOf: TreatmentRecord | null = null;
   private treats = false;
   private version = -1;
@@ -208,14 +207,18 @@ export class ScenePanel {
 
   /** Shows what a reader chose of a plan. */
   choose(choice: Choice | null): void {
-    this.rejected = choice?.rejected?.name ?? null;
+    this.choice = choice;
     this.stage?.choose(choice);
     this.listNamed();
   }
 
   private listNamed(): void {
-    const rejected: Named[] = this.rejected !== null && this.stage?.layers.rejected ? [{ name: this.rejected, colour: "var(--rejected)" }] : [];
-    this.extra.replaceChildren(...[...rejected, ...this.queried].map(({ name, colour, form }) => {
+    const { stroke = null, rejected = null } = this.choice ?? {};
+    const chosen: Named[] = [
+      ...(stroke === null ? [] : [{ name: `Stroke ${stroke + 1}`, colour: "var(--chosen)" }]),
+      ...(rejected && this.stage?.layers.rejected ? [{ name: rejected.name, colour: "var(--rejected)" }] : []),
+    ];
+    this.extra.replaceChildren(...[...chosen, ...this.queried].map(({ name, colour, form }) => {
       if (form) return el("li", {}, diamond(colour, form === "estimated"), name);
       const line = el("i", { "aria-hidden": "true" });
       line.style.background = colour;

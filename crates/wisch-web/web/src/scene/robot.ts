@@ -24,7 +24,8 @@ export interface RobotMaterials {
 /** Returns materials that draw everything as one. */
 const allAs = (look: Material): RobotMaterials => ({ body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look });
 
-/** Makes a translucent copy of a robot at a time. Its depths are drawn first, after all else, so that none of its parts shows another one. */
+/** Makes a translucent copy of a robot at a time. The depths of all ghosts are drawn before their colours: only the parts that are
+ * nearest to the camera are visible, also where ghosts overlap. */
 export function makeGhost(head: Head, meshes: MeshRecord[], shared: Robot, color: string, ...place: Parameters<Robot["show"]>): Group {
   const look = new MeshLambertMaterial({ color, transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
   return new Group().add(...[new MeshBasicMaterial({ transparent: true, colorWrite: false }), look].map((material, i) => {

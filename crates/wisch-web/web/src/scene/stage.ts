@@ -249,6 +249,8 @@ export class Stage {
   }
 
   private makeGhosts(): void {
+    // The geometries are those of the robot.
+    this.ghosts.traverse((part) => { if (part instanceof Mesh) (part.material as Material).dispose(); });
     this.ghosts.clear();
     const { head, meshes } = this.recording;
     if (!head || !this.robot) return;

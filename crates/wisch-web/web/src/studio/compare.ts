@@ -51,7 +51,7 @@ export function contactWay({ rounds }: Recording): number | null {
   return way;
 }
 
-/** Counts the detected events by their kinds: "2 × human collision, 1 × landing". */
+/** Counts the detected events by their kinds: "2 × push, 1 × landing". */
 function countEvents({ happenings }: Recording): string {
   const counts = new Map<string, number>();
   for (const { source, kind } of happenings) if (source === "event") counts.set(kind, (counts.get(kind) ?? 0) + 1);
@@ -70,7 +70,7 @@ function factsOf(recording: Recording): Fact[] {
   const actual = last?.truth?.performance ?? null;
   const peak = Math.max(...rounds.map(({ normal }) => normal.largest));
   const way = contactWay(recording);
-  const estimate = interpreted ? estimateText(interpreted.estimate, unknown ? ended!.verdict! : undefined) : DASH;
+  const estimate = interpreted ? estimateText(interpreted.estimate, 0, unknown ? ended!.verdict! : undefined) : DASH;
   return [
     { label: "Task", text: task ? `${task.action} on ${task.surface}` : DASH },
     { label: "Medium", text: task?.medium ?? DASH },

@@ -3,13 +3,11 @@ import { clockText } from "../dom.ts";
 import { colour as named } from "../theme.ts";
 import { NOTHING_SHOWN, type Shown } from "../scene/stage.ts";
 import type { View } from "../view.ts";
-import type { Recording } from "../store.ts";
+import { SAME_S, type Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
 
 /** An individual that lasts longer than this share of an episode counts as the episode itself [1]. */
 const ALMOST_ALL = 0.95;
-/** Tolerance for equal times [s]. */
-const SAME_S = 1e-3;
 
 /** Data of an answer. */
 export interface ShownAnswer extends Shown {

@@ -88,6 +88,7 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
 
 /** Draws a selected interval as a frame with a text in a lane, beside which the lane is faded. */
 export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [start, end]: [number, number], text: string): void {
+  if (end < frame.from || start > frame.to) return;
   const right = frame.width - frame.right;
   const [from, to] = [start, end].map((time) => Math.min(right, Math.max(frame.left, frame.x(time)))) as [number, number];
   pen.fillStyle = colour("paper");
@@ -100,5 +101,5 @@ export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [st
   pen.strokeRect(from, top - 1, to - from, height + 2);
   setText(pen, 10);
   pen.fillStyle = colour("ink");
-  drawFitted(pen, text, from + 5, top + 7, Math.max(to, right) - from - 10);
+  drawFitted(pen, text, from + 5, top + 7, to - from - 10);
 }

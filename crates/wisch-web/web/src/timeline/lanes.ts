@@ -3,8 +3,8 @@ import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
 import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
-import type { Round } from "../round.ts";
-import type { Happening, Recording } from "../store.ts";
+import type { Happening, Round } from "../round.ts";
+import type { Recording } from "../store.ts";
 
 export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
   setText(pen, 11, { align: "center" });
@@ -101,8 +101,8 @@ export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from:
 }
 
 /** Returns the name of an event's colour. */
-export const eventColour = ({ source, kind, byHand }: Happening): string =>
-  source === "push" ? "actual" : /collision/i.test(kind) ? "collision" : byHand ? "hand" : "event";
+export const eventColour = ({ source, kind }: Happening): string =>
+  source === "push" ? "actual" : kind === "push" ? "collision" : kind === "hand guiding" ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   fillLane(pen, frame, lane);

@@ -1,5 +1,5 @@
 // Plots over time: force, height and performance.
-import { fixed } from "../dom.ts";
+import { fixed, percent } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { forEachPixel } from "./lanes.ts";
 import { drawClipped, drawLine, levels, PREDICTED_DASH, setText, type Frame, type Lane, type Pen } from "./frame.ts";
@@ -90,11 +90,11 @@ const BAND_PX = 14;
 
 /** Draws performance: predicted dotted, estimated as bands, true as crosses, and the target. */
 export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => String(Math.round(100 * value)));
+  const y = drawScale(pen, frame, lane, 0, 1, 2, (value) => fixed(100 * value, 0));
   const target = recording.head?.task?.target;
   const right = frame.width - frame.right;
   drawClipped(pen, plotArea(frame, lane), () => {
-    if (target !== undefined) drawTarget(pen, [frame.left, right], y(target), `target ${Math.round(100 * target)}\u202f%`, target <= 0.8);
+    if (target !== undefined) drawTarget(pen, [frame.left, right], y(target), `target ${percent(target)}`, target <= 0.8);
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to) continue;
       drawPrediction(pen, frame, round, y);
