@@ -23,7 +23,16 @@ fn hidden(folder: &Path) -> Vec<String> {
 /// Runs a command, and sends a signal as soon as a condition holds.
 fn interrupt(folder: &Path, args: &[&str], signal: Signal, is_due: &dyn Fn() -> bool) -> Output {
     let mut command = Command::new(program());
-    command.current_dir(folder).args(args);
+    command.args(args);
+    interrupt_command(command.current_dir(folder), &[signal], is_due)
+}
+
+/// Runs a command, and sends signals one after the other as soon as a condition holds.
+fn interrupt_command(
+    command: &mut Command,
+    signals: &[Signal],
+    is_due: &dyn Fn() -> bool,
+) -> Output {
     let run = command
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -33,11 +42,17 @@ fn interrupt(folder: &Path, args: &[&str], signal: Signal, is_due: &dyn Fn() -> 
     while !is_due() {
         assert!(
             since.elapsed() < LONGEST,
-            "{args:?}: it does not come so far"
+            "{command:?}: it does not come so far"
         );
         std::thread::sleep(Duration::from_millis(5));
     }
-    kill_process(Pid::from_child(&run), signal).expect("it runs");
+    for (number, signal) in signals.iter().enumerate() {
+        if number > 0 {
+            // Meanwhile, the program handles the signal before.
+            std::thread::sleep(Duration::from_millis(300));
+        }
+        kill_process(Pid::from_child(&run), *signal).expect("it runs");
+    }
     run.wait_with_output().expect("it ends")
 }
 
@@ -67,6 +82,22 @@ fn a_command_that_a_signal_ends_removes_its_files() {
             assert_eq!(left, 0, "{args:?}: {signal:?}");
         }
     }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_command_goes_on_at_a_signal_that_is_ignored_from_its_begin() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let mut command = Command::new("sh");
+    // As `nohup` does it.
+    command.args(["-c", "trap '' HUP; exec \"$0\" \"$@\""]);
+    command.arg(program()).args(MAP).current_dir(folder);
+    let is_due = || !hidden(folder).is_empty();
+    let output = interrupt_command(&mut command, &[Signal::HUP, Signal::TERM], &is_due);
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(143), "{err}");
+    assert_eq!(hidden(folder), [""; 0]);
 }
 
 #[test]
@@ -165,6 +196,8 @@ fn a_run_that_is_interrupted_before_its_next_round_keeps_the_rounds_before() {
         "out",
         "--events",
         "events",
+        "--memory",
+        "episodes",
         "--json",
     ];
     let decided = || events().contains("\"decided\"");
@@ -206,7 +239,8 @@ fn a_run_that_is_interrupted_before_its_next_round_keeps_the_rounds_before() {
     let next = next.as_str().expect("a command");
     assert!(
         next.starts_with("wisch run task.toml --set ")
-            && next.ends_with("--strategy grid --executor 'python3 robot.py'"),
+            && next.contains(" --strategy grid --executor 'python3 robot.py'")
+            && next.contains(" --memory episodes"),
         "{next}"
     );
 }

@@ -48,6 +48,41 @@ fn a_surface_that_only_the_task_defines_teaches_the_law_of_any_surface() {
 }
 
 #[test]
+fn a_round_of_an_episode_that_is_left_out_counts_in_another_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let board = TASK.replace("NAME", "board");
+    fs::write(folder.join("board.toml"), &board).unwrap();
+    let alone = board.replace("\"board\"", "\"alone\"")
+        + "\n[interaction]\nmu = -1.0\nsigma = 0.3\npress_force_n = 12.0\n";
+    fs::write(folder.join("alone.toml"), alone).unwrap();
+    let [before, after] = looks(4);
+    for (bag, task, start) in [
+        ("first-alone.mcap", "alone", "1795309772"),
+        ("first.mcap", "board", "1795309872"),
+    ] {
+        crate::learn::write_bag_of_force(
+            &folder.join(bag),
+            task,
+            [Some(&before), Some(&after)],
+            None,
+        );
+        let task = format!("{task}.toml");
+        let import = ["memory", "import", bag, "--task", &task, "--start-s", start];
+        let (code, out, err) = wisch(folder, &import);
+        assert_eq!(code, 0, "{out}{err}");
+    }
+    let (code, out, err) = wisch(folder, &["learn", "--memory", "episodes", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        err.matches("left out").count() == 1 && !err.contains("counted once"),
+        "{err}"
+    );
+    let record: serde_json::Value = serde_json::from_str(&out).expect("one JSON object");
+    assert_eq!(record["laws"][0]["rounds"], 1, "{out}");
+}
+
+#[test]
 fn rounds_of_another_press_force_are_not_pooled() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
@@ -82,6 +117,9 @@ fn rounds_of_another_press_force_are_not_pooled() {
     );
     let (code, out, err) = learn(&["first.mcap", "third.mcap"]);
     assert_eq!(code, 0, "{err}");
-    assert!(err.contains("the task's, 10 N, is assumed"), "{err}");
-    assert!(out.contains("10 N in every round"), "{out}");
+    assert!(
+        err.contains("the task, 10 N, is assumed") && err.contains("do not state it: third.mcap"),
+        "{err}"
+    );
+    assert!(out.contains("10 N, assumed for 1 of 2 rounds"), "{out}");
 }

@@ -35,7 +35,8 @@ pub use output::{
     FOLLOWING_FILE, INTERPRETATION_FILE, KilledRuns, Leftover, NewFolder, OutputFile, OutputFolder,
     PARTICLES_AFTER_FILE, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE,
     PLAN_FILE, RECORDING_FILE, REPORT_FILE, ROUNDS_FILE, Replaceable, TCP_PATH_FILE,
-    TRAJECTORY_FILE, Unfinished, path_in_results, remove_unfinished, round_file_name,
+    TRAJECTORY_FILE, Unfinished, UnfinishedPath, path_in_results, remove_unfinished,
+    round_file_name,
 };
 pub use particles::{
     MaskSource, ParticleSource, ParticleSourceError, csv_particles, mask_particles,

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::process::Command;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use wisch::geometry::{Mesh, Point3, SheetConfig, Vector3};
 use wisch::recover::Verdict;
@@ -11,7 +12,7 @@ use wisch::run::{
     Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, PlannedRound,
     RecordedSample, RunError, Stage, StopKind, ignore_events,
 };
-use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, Robot, load_task};
+use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, ProcessOptions, Robot, load_task};
 
 const ECHO_ROBOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/echo_robot.py");
 
@@ -368,6 +369,26 @@ fn how_a_child_ended_is_taken_over() {
     let error = session.run(&mut start(&script).expect("it greets"), &mut ignore_events);
     let is_refused = matches!(error, Err(RunError::Positions { found: 2, .. }));
     assert!(is_refused, "{error:?}");
+}
+
+#[test]
+fn an_interruption_between_motions_is_no_fault_of_the_child() {
+    if !has_python() {
+        return;
+    }
+    let ready = r#"print('{"ready": {"version": 1, "reports_state": true}}', flush=True)"#;
+    for (then, is_interruption) in [("time.sleep(600)", true), ("sys.exit(1)", false)] {
+        let hear = "sys.stdin.readline()";
+        let script = format!("import sys, time\n{hear}\n{ready}\n{hear}\n{then}\n");
+        let options = ProcessOptions::default();
+        let stop = Arc::clone(&options.stop);
+        let arguments = ["-c".to_owned(), script];
+        let mut child =
+            ProcessExecutor::start_with("python3", &arguments, options).expect("it greets");
+        stop.store(is_interruption, Ordering::SeqCst);
+        let error = child.state().expect_err("it does not answer");
+        assert_eq!(error.is_interruption(), is_interruption, "{error}");
+    }
 }
 
 #[test]

@@ -20,6 +20,10 @@ const SAME_PLACE: f64 = 1e-5;
 /// Least share of the time and of the samples of the shorter recording that the other one must hold [1]; samples whose wrench
 /// is not usable are missing.
 const LEAST_SHARED: f64 = 0.9;
+/// Largest share of the samples whose forces may differ where their times and poses are equal [1], and the number that may in
+/// any recording: a log is read without single outliers of the force, which an episode keeps.
+const MOST_OUTLIERS: f64 = 0.01;
+const OUTLIERS: usize = 5;
 /// Least number of samples that show that a shorter recording is a part of a longer one.
 const LEAST_SAMPLES: usize = 20;
 /// Number of samples at the beginning of a kept round that are compared before the whole round is read.
@@ -38,7 +42,7 @@ pub struct KnownRound {
 
 /// Returns whether two recordings hold the same motion: the same poses and forces at the same times.
 ///
-/// One of them may be cut at its end, lack samples, or have a lower rate. Robots with noise never repeat a motion, but a
+/// One of them may be cut at its end, lack samples, have a lower rate, or lack single outliers of the force. Robots with noise never repeat a motion, but a
 /// simulation with the same seed does.
 ///
 /// ```
@@ -53,6 +57,9 @@ pub struct KnownRound {
 /// let other: Vec<TouchSample> = (0..50).map(|i| sample(i, 9.9)).collect();
 /// assert!(is_same_motion(&one, &one) && is_same_motion(&one[..30], &one));
 /// assert!(!is_same_motion(&one, &other));
+/// let mut spiked = one.clone();
+/// spiked[20].force.z = 500.0;
+/// assert!(is_same_motion(&one, &spiked));
 /// ```
 pub fn is_same_motion(one: &[TouchSample], other: &[TouchSample]) -> bool {
     let (Some(first), Some(last)) = (one.first().zip(other.first()), one.last().zip(other.last()))
@@ -71,30 +78,39 @@ pub fn is_same_motion(one: &[TouchSample], other: &[TouchSample]) -> bool {
     if to - from < LEAST_SHARED * span || (least < LEAST_SAMPLES && !is_whole) {
         return false;
     }
-    let (mut i, mut j, mut same) = (0, 0, 0);
+    let (mut i, mut j, mut same, mut outliers) = (0, 0, 0, 0);
     while let (Some(a), Some(b)) = (one.get(i), other.get(j)) {
         if a.time < b.time - SAME_TIME {
             i += 1;
         } else if b.time < a.time - SAME_TIME {
             j += 1;
-        } else if is_same_sample(a, b) {
-            same += 1;
+        } else if is_same_pose(a, b) {
+            if is_same_force(a, b) {
+                same += 1;
+            } else {
+                outliers += 1;
+            }
             i += 1;
             j += 1;
         } else {
             return false;
         }
     }
-    same > 0 && same as f64 >= LEAST_SHARED * least as f64
+    let most = OUTLIERS.max((MOST_OUTLIERS * same as f64) as usize);
+    outliers <= most && same > 0 && same as f64 >= LEAST_SHARED * least as f64
 }
 
-/// Whether two samples of the same time have the same pose and force, in single precision.
-fn is_same_sample(one: &TouchSample, other: &TouchSample) -> bool {
+/// Whether two samples of the same time have the same pose, in single precision.
+fn is_same_pose(one: &TouchSample, other: &TouchSample) -> bool {
     let [a, b] = [one, other].map(|sample| sample.world_from_tool.translation.vector);
     let [p, q] = [one, other].map(|sample| sample.world_from_tool.rotation.coords);
     (a - b).norm() <= SAME_POSITION * (1.0 + a.norm())
         && (p - q).norm().min((p + q).norm()) <= SAME_ROTATION
-        && (one.force - other.force).norm() <= SAME_FORCE * (1.0 + one.force.norm())
+}
+
+/// Whether two samples have the same force, in single precision.
+fn is_same_force(one: &TouchSample, other: &TouchSample) -> bool {
+    (one.force - other.force).norm() <= SAME_FORCE * (1.0 + one.force.norm())
 }
 
 /// Returns whether two observations are the same, apart from the single precision of bags. Unknown ones may be.

@@ -34,8 +34,8 @@ impl RunClock {
         self.begin
     }
 
-    /// Returns the time since the run began, by the monotonic clock \[s\].
-    pub fn elapsed(&self) -> f64 {
+    /// Returns the duration of the run so far, by the monotonic clock \[s\].
+    pub fn duration(&self) -> f64 {
         self.monotonic.elapsed().as_secs_f64()
     }
 }

@@ -17,7 +17,7 @@ use wisch::represent::Observation;
 use wisch::run::{PlannedRound, RunEvent};
 use wisch_io::{
     LoadedTask, PARTICLES_BEFORE_FILE, PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, PLAN_FILE,
-    PlanRecord, RobotFiles, Unfinished, particles_to_csv,
+    PlanRecord, RobotFiles, Unfinished, UnfinishedPath, particles_to_csv,
 };
 use wisch_memory::{
     EpisodeHeader, EpisodeRecord, EpisodeRound, EpisodeWriter, Memory, MemoryError, Origin,
@@ -386,14 +386,14 @@ impl EpisodeSink {
 
     /// Adds a remark if this machine's clock was set during the run.
     fn check_clock(&mut self) {
-        let set_by = unix_time() - self.clock.begin() - self.clock.elapsed();
+        let set_by = unix_time() - self.clock.begin() - self.clock.duration();
         self.clock_remarks.extend(clock_change_remark(set_by));
     }
 
     /// Adds the clock's times and the missing telemetry to the record.
     fn annotate(&self, record: &mut EpisodeRecord) {
         let values = &mut record.individuals[0].values;
-        let [begin, duration] = [self.clock.begin(), self.clock.elapsed()].map(Value::Number);
+        let [begin, duration] = [self.clock.begin(), self.clock.duration()].map(Value::Number);
         values.insert("semco:clockBegin".into(), begin);
         values.insert("semco:clockDuration".into(), duration);
         if !self.clock_remarks.is_empty() {
@@ -499,7 +499,7 @@ pub fn begin_episode(
 ) -> Result<(EpisodeWriter, Unfinished), MemoryError> {
     let begin = |salt| {
         let writer = memory.begin(&episode_id(start, first.wrapping_add(salt)))?;
-        let paths = writer.unfinished_paths().to_vec();
+        let paths = writer.unfinished_paths().map(UnfinishedPath::Whole).into();
         Ok::<_, MemoryError>((writer, paths))
     };
     for salt in 0..NAMES_TRIED {

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use wisch::follow::{Workcell, WorkcellConfig};
 use wisch::robot::Appearance;
 use wisch::run::RunEvent;
-use wisch_io::{LoadedTask, Robot, shell_word, shipped_scenarios};
+use wisch_io::{LoadedTask, Robot, Unfinished, UnfinishedPath, shell_word, shipped_scenarios};
 use wisch_memory::live_path;
 use wisch_report::{
     CommandOptions, EffectFrames, RecordingHead, RecordingWriter, RoundTruth, RunOutcome,
@@ -39,6 +39,8 @@ struct Live {
     lines: PathBuf,
     /// The card with the process that writes it.
     card: PathBuf,
+    /// Dropped after the files are removed.
+    _unfinished: Unfinished,
 }
 
 impl Write for Outputs {
@@ -102,15 +104,23 @@ impl PageSink {
             "task": loaded.task.name,
             "begun": begun,
         });
-        let file = fs::create_dir_all(folder).and_then(|()| {
+        let made = Unfinished::create(|| {
+            fs::create_dir_all(folder)?;
             fs::write(&card, who.to_string())?;
-            File::create(&lines)
+            let paths = [&card, &lines].map(|path| UnfinishedPath::Whole(path.clone()));
+            io::Result::Ok((File::create(&lines)?, paths.into()))
         });
-        let file = file.map_err(|error| RecordError::Live {
+        let (file, unfinished) = made.map_err(|error| RecordError::Live {
             place: lines.clone(),
             error,
         })?;
-        Self::begin_with(loaded, program, robot, Some(Live { file, lines, card }))
+        let live = Live {
+            file,
+            lines,
+            card,
+            _unfinished: unfinished,
+        };
+        Self::begin_with(loaded, program, robot, Some(live))
     }
 
     fn begin_with(

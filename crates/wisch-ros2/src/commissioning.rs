@@ -92,7 +92,11 @@ impl Commissioning {
             .parent()
             .filter(|folder| !folder.as_os_str().is_empty());
         let folder = folder.unwrap_or(std::path::Path::new("."));
-        let written = tempfile::NamedTempFile::new_in(folder).and_then(|mut part| {
+        let mut builder = tempfile::Builder::new();
+        // As other new files have them; temporary files are readable by their owner only.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let written = builder.tempfile_in(folder).and_then(|mut part| {
             part.write_all(b"# The result of `wisch robot push-test`. It holds for this robot file and URDF only.\n")?;
             part.write_all(text.as_bytes())?;
             part.as_file().sync_all()?;

@@ -66,6 +66,13 @@ impl Frames {
             .collect()
     }
 
+    /// Unit of the positions of each joint: "rad" or "m".
+    pub fn units(&self) -> Vec<&'static str> {
+        (0..self.model.dof())
+            .map(|i| self.model.variable(i).kind.unit())
+            .collect()
+    }
+
     /// The link of this name.
     pub fn link(&self, name: &str) -> Option<LinkId> {
         // Some drivers send names with a slash in front, as ROS 1 did.

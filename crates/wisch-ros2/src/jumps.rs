@@ -12,16 +12,19 @@ const PUSH_S: f64 = 1.0;
 pub(crate) struct JumpWatch {
     /// Largest velocity of each joint by the URDF [rad/s or m/s]; a joint without one is not watched.
     limits: Vec<Option<f64>>,
+    /// Unit of the positions of each joint: "rad" or "m".
+    units: Vec<&'static str>,
     count: usize,
     /// Greatest force on the tool in the last second [N], and its stamp [s].
     push: [f64; 2],
 }
 
 impl JumpWatch {
-    /// Begins to watch. `limits`: largest velocity of each joint [rad/s or m/s].
-    pub const fn new(limits: Vec<Option<f64>>) -> Self {
+    /// Begins to watch. `limits`: largest velocity of each joint [rad/s or m/s]; `units`: unit of its positions, "rad" or "m".
+    pub const fn new(limits: Vec<Option<f64>>, units: Vec<&'static str>) -> Self {
         Self {
             limits,
+            units,
             count: 0,
             push: [0.0; 2],
         }
@@ -45,13 +48,15 @@ impl JumpWatch {
         let elapsed = (now.stamp - before.stamp).max(0.0);
         let joints = before.positions.iter().zip(&now.positions);
         let joints = joints.map(|(before, now)| (now - before).abs());
-        let joints = names.iter().zip(&self.limits).zip(joints);
-        let jumped = joints.filter_map(|((name, limit), way)| {
+        let units = &self.units;
+        let joints = names.iter().zip(units).zip(&self.limits).zip(joints);
+        let jumped = joints.filter_map(|((joint, limit), way)| {
             let limit = (*limit)?;
             let most = limit * (elapsed + STAMP_JITTER_S);
-            (way > most).then_some((name, limit, way, most))
+            (way > most).then_some((joint, limit, way, most))
         });
-        let (name, limit, way, most) = jumped.max_by(|a, b| (a.2 / a.3).total_cmp(&(b.2 / b.3)))?;
+        let (joint, limit, way, most) = jumped.max_by(|a, b| (a.2 / a.3).total_cmp(&(b.2 / b.3)))?;
+        let (name, unit) = joint;
         self.count += 1;
         if self.count > 1 {
             return None;
@@ -61,8 +66,8 @@ impl JumpWatch {
             force => format!(" In the second before, the force on the tool reached {force:.1} N."),
         };
         Some(format!(
-            "at {:.2} s joint {name:?} jumped by {way:.3} rad or m within {:.0} ms; its limit of {limit} rad/s or m/s in the URDF \
-             explains {most:.3}.{push} Check whether joint states get lost, and whether they are measured",
+            "at {:.2} s joint {name:?} jumped by {way:.3} {unit} within {:.0} ms; its limit of {limit} {unit}/s in the URDF \
+             explains {most:.3} {unit}.{push} Check whether joint states get lost, and whether they are measured",
             now.stamp - began,
             1e3 * elapsed
         ))
@@ -96,7 +101,7 @@ mod tests {
     #[test]
     fn a_state_that_the_velocity_limit_does_not_explain_is_remarked_once() {
         let names = ["a", "b"].map(str::to_owned);
-        let mut watch = JumpWatch::new(vec![Some(2.0), None]);
+        let mut watch = JumpWatch::new(vec![Some(2.0), None], vec!["rad", "m"]);
         let mut check = |from: (f64, [f64; 2]), to: (f64, [f64; 2]), force| {
             let states = [state(from.0, from.1), state(to.0, to.1)];
             watch.check(&names, [&states[0], &states[1]], force, 100.0)
@@ -108,11 +113,11 @@ mod tests {
         assert_eq!(check(begin, (101.1, [0.2, 0.0]), Some(1.0)), None);
         let remark = check(begin, (101.004, [-0.07, 0.0]), Some(2.0)).unwrap();
         assert!(
-            remark.starts_with("at 1.00 s joint \"a\" jumped by 0.070 rad or m within 4 ms"),
+            remark.starts_with("at 1.00 s joint \"a\" jumped by 0.070 rad within 4 ms; its limit of 2 rad/s"),
             "{remark}"
         );
         assert!(
-            remark.contains("explains 0.068. In the second before"),
+            remark.contains("explains 0.068 rad. In the second before"),
             "{remark}"
         );
         assert!(remark.contains("24.5 N"), "{remark}");
@@ -124,13 +129,16 @@ mod tests {
     #[test]
     fn a_force_that_is_long_past_is_not_stated() {
         let names = ["a".to_owned(), "b".to_owned()];
-        let mut watch = JumpWatch::new(vec![Some(2.0); 2]);
+        let mut watch = JumpWatch::new(vec![Some(2.0); 2], vec!["m"; 2]);
         let [early, late, later] = [0.0, 2.0, 2.004].map(|stamp| state(stamp, [0.0; 2]));
         let jumped = state(2.006, [1.0, 0.0]);
         assert_eq!(watch.check(&names, [&early, &early], Some(40.0), 0.0), None);
         assert_eq!(watch.check(&names, [&early, &late], None, 0.0), None);
         let remark = watch.check(&names, [&later, &jumped], None, 0.0).unwrap();
-        assert!(!remark.contains("second before"), "{remark}");
+        assert!(
+            !remark.contains("second before") && remark.contains("by 1.000 m within"),
+            "{remark}"
+        );
         assert_eq!(watch.further(), None);
     }
 }

@@ -58,7 +58,7 @@ async fn work(arguments: &Arguments) -> Result<(), String> {
 }
 
 /// Returns a future that completes at Ctrl-C, a termination signal or the end of the terminal. A second signal ends the
-/// program at once.
+/// program at once. SIGHUP stays ignored if it was ignored when the program began, as by `nohup`; only Linux states that.
 #[cfg(unix)]
 fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -66,10 +66,20 @@ fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     const EXIT_INTERRUPTED: i32 = 130;
     let mut interrupt = signal(SignalKind::interrupt())?;
     let mut terminate = signal(SignalKind::terminate())?;
-    let mut hangup = signal(SignalKind::hangup())?;
+    let mut hangup = if is_hangup_ignored() {
+        None
+    } else {
+        Some(signal(SignalKind::hangup())?)
+    };
     let (sender, receiver) = tokio::sync::oneshot::channel();
     tokio::spawn(async move {
-        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {}, _ = hangup.recv() => {} }
+        let ends = async {
+            match &mut hangup {
+                Some(hangup) => hangup.recv().await,
+                None => std::future::pending().await,
+            }
+        };
+        tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {}, _ = ends => {} }
         let _ = sender.send(());
         tokio::select! { _ = interrupt.recv() => {}, _ = terminate.recv() => {} }
         std::process::exit(EXIT_INTERRUPTED);
@@ -77,6 +87,18 @@ fn listen_for_signals() -> std::io::Result<impl Future<Output = ()>> {
     Ok(async move {
         let _ = receiver.await;
     })
+}
+
+/// Whether the process ignores SIGHUP; `false` where the system does not state it.
+#[cfg(unix)]
+fn is_hangup_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    // SIGHUP is signal 1, and bit 0 of the mask.
+    mask.is_some_and(|mask| mask & 1 == 1)
 }
 
 #[cfg(not(unix))]

@@ -326,7 +326,7 @@ fn combine(
     correction: Correction,
     options: &LogOptions,
 ) -> Result<Log, ReadFault> {
-    // A driver that states qualities knows better.
+    // A driver that states the quality of each wrench marks unusable ones itself.
     let spikes = if raw.qualities.is_empty() {
         let max_gap = options.max_gap * NANOSECONDS_PER_SECOND as f64;
         take_out_spikes(&mut raw.wrenches.entries, max_gap as i64)
@@ -423,7 +423,7 @@ fn leave_out_unusable(
     pairs: &mut Vec<(i64, Pose, Vector3)>,
 ) -> (UnusableWrenches, Vec<Saturation>) {
     let mut unusable = UnusableWrenches::default();
-    // A driver that states qualities knows better.
+    // A driver that states the quality of each wrench marks unusable ones itself.
     let (frozen, saturated) = if raw.qualities.is_empty() {
         let entries = &raw.wrenches.entries;
         (find_frozen(entries), find_saturated(entries))

@@ -59,7 +59,7 @@ pub fn options_for(command: &str, without: &[&str]) -> String {
             continue;
         };
         if !OF_ONE_COMMAND.contains(&name) && !without.contains(&name) && has_option(here, option) {
-            words.extend(words_of(source, option, name));
+            words.extend(format_option(source, option, name));
         }
     }
     words.join(" ")
@@ -72,7 +72,7 @@ fn has_option(command: &Command, option: &Arg) -> bool {
 }
 
 /// Returns an option as it was given; nothing if it was not given.
-fn words_of(given: &ArgMatches, option: &Arg, name: &str) -> Vec<String> {
+fn format_option(given: &ArgMatches, option: &Arg, name: &str) -> Vec<String> {
     let id = option.get_id().as_str();
     if !matches!(given.value_source(id), Some(ValueSource::CommandLine)) {
         return Vec::new();

@@ -32,15 +32,15 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         let path = args.neem.clone();
         return Err(not_written(NeemError::Exists { path }));
     }
-    let folder = NewFolder::begin(&args.neem)
-        .map_err(|error| Failure::from(error).with_help("choose another folder with --neem DIR"))?;
+    let failed = |error| Failure::from(error).with_help("choose another folder with --neem DIR");
+    let folder = NewFolder::begin(&args.neem).map_err(failed)?;
     let mut neem = NeemWriter::create(&folder.path(), &meta, &config).map_err(not_written)?;
     for (number, episode) in (1..).zip(&episodes) {
         progress.say(format!("episode {number} of {}", episodes.len()));
         write(&mut neem, episode)?;
     }
     let report = neem.finish().map_err(not_written)?;
-    folder.finish()?;
+    folder.finish().map_err(failed)?;
     drop(progress);
     tell(args, global, &report, &left_out)?;
     Ok(if left_out.is_empty() {

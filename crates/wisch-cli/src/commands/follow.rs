@@ -8,7 +8,7 @@ use std::path::Path;
 use wisch::follow::{FollowError, Followed, Workcell, WorkcellConfig, follow};
 use wisch::plan::Plan;
 use wisch::robot::{CapabilityMap, RobotError};
-use wisch_io::{LoadedTask, Robot, RobotDescription, RobotRecord};
+use wisch_io::{LoadedTask, Robot, RobotDescription, RobotRecord, shell_word};
 
 /// Value of `--robot` for no robot.
 const NO_ROBOT: &str = "none";
@@ -146,7 +146,7 @@ fn cannot_follow(error: &FollowError, record: &RobotRecord, task_args: &TaskArgs
                 ),
                 _ => failure.with_help(format!(
                     "see all findings with {}",
-                    suggest(&format!("robot check {urdf}"))
+                    suggest(&format!("robot check {}", shell_word(urdf)))
                 )),
             }
         }

@@ -4,16 +4,18 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{complain_of, hold_back, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
-use signal_hook::flag::register;
+use signal_hook::flag::{register, register_conditional_shutdown};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
-use std::time::Duration;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
+use std::time::{Duration, Instant};
 use wisch_io::{PauseSwitch, kill_executors, remove_unfinished};
 
 /// Exit code of a program that a signal ended, less the number of the signal, as shells define it.
 const EXIT_BY_SIGNAL: i32 = 128;
 /// Period at which the flag of a signal is checked.
 const PERIOD: Duration = Duration::from_millis(20);
+/// Longest wait of a signal for a round that is decided meanwhile: a file system may block its checkpoint.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 /// The flag of [`stop_on_signal`] and the switch of [`pause_on_signal`]: one of each, as a command over several patches
 /// runs several times, and a signal between two runs counts for the next.
@@ -24,15 +26,24 @@ static HANDLES_CTRL_C: AtomicBool = AtomicBool::new(false);
 
 /// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP remove what the command has not finished, and end the program.
 ///
-/// After [`stop_on_signal`], the first signal requests a clean stop, and the second ends the program and all executors.
+/// After [`stop_on_signal`], the first signal requests a clean stop, and the second ends the program and all executors. While
+/// unfinished files are removed, a further signal ends the program at once. A signal that is ignored from the begin, as
+/// `nohup` ignores SIGHUP, stays ignored; only Linux states which ones are.
 ///
 /// # Errors
 /// If the system refuses a handler.
 pub fn listen() -> Result<(), Failure> {
     let mut flags = Vec::new();
+    let is_ending = Arc::new(AtomicBool::new(false));
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     for signal in [SIGINT, SIGTERM, SIGHUP] {
+        if is_ignored(signal, &status) {
+            continue;
+        }
         let flag = Arc::new(AtomicBool::new(false));
-        register(signal, Arc::clone(&flag))
+        let exit = EXIT_BY_SIGNAL + signal;
+        register_conditional_shutdown(signal, exit, Arc::clone(&is_ending))
+            .and_then(|_| register(signal, Arc::clone(&flag)))
             .map_err(|error| Failure::new(format!("signal {signal}: {error}")))?;
         flags.push((signal, flag));
     }
@@ -48,14 +59,29 @@ pub fn listen() -> Result<(), Failure> {
                 continue;
             }
             match STOP.get() {
-                Some(stop) if !stop.swap(true, Ordering::SeqCst) => remark(
-                    "stopping the robot and keeping the executed part; a second signal ends the program at once",
-                ),
-                _ => end(*signal),
+                Some(stop) if !stop.swap(true, Ordering::SeqCst) => {
+                    // Nobody may read standard error, and the next signal must not wait for that.
+                    std::thread::spawn(|| {
+                        remark(
+                            "stopping the robot and keeping the executed part; a second signal ends the program at once",
+                        );
+                    });
+                }
+                _ => end(*signal, &is_ending),
             }
         }
     });
     Ok(())
+}
+
+/// Whether the process ignores a signal. `status`: the text of `/proc/self/status`; empty where the system has none.
+fn is_ignored(signal: i32, status: &str) -> bool {
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))
+        .and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    // Bit 0 is signal 1.
+    mask.is_some_and(|mask| (mask >> (signal - 1)) & 1 == 1)
 }
 
 /// Leaves Ctrl-C to the command: to a prompt, where it ends a query and not the program.
@@ -63,19 +89,23 @@ pub fn leave_ctrl_c() {
     HANDLES_CTRL_C.store(true, Ordering::SeqCst);
 }
 
-/// Removes what is unfinished, and ends the program and all executors.
-fn end(signal: i32) -> ! {
-    // Held to the end, so that no round is completed meanwhile.
-    let run = unfinished();
+/// Removes what is unfinished, and ends the program and all executors. After `is_ending` is set, a signal ends it at once.
+fn end(signal: i32, is_ending: &AtomicBool) -> ! {
     hold_back();
     kill_executors();
+    is_ending.store(true, Ordering::SeqCst);
+    // Held to the end, so that no round is completed meanwhile.
+    let run = try_unfinished(PATIENCE);
     remove_unfinished();
-    let failure = match &*run {
-        Some(run) => {
+    let failure = match run.as_deref() {
+        Some(Some(run)) => {
             (run.clear)();
             interruption(run.kept)
         }
-        None => Failure::new("interrupted"),
+        Some(None) => Failure::new("interrupted"),
+        None => Failure::new("interrupted while the result of a round was written").with_help(
+            "add --resume to the same command to continue after the last round that was written",
+        ),
     };
     complain_of(&failure);
     std::process::exit(EXIT_BY_SIGNAL + signal)
@@ -138,6 +168,21 @@ fn unfinished() -> MutexGuard<'static, Option<UnfinishedRun>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Locks the run in progress; `None` if that takes longer than `patience`.
+fn try_unfinished(patience: Duration) -> Option<MutexGuard<'static, Option<UnfinishedRun>>> {
+    let begin = Instant::now();
+    loop {
+        match UNFINISHED.try_lock() {
+            Ok(run) => return Some(run),
+            Err(TryLockError::Poisoned(run)) => return Some(run.into_inner()),
+            Err(TryLockError::WouldBlock) if begin.elapsed() < patience => {
+                std::thread::sleep(PERIOD);
+            }
+            Err(TryLockError::WouldBlock) => return None,
+        }
+    }
+}
+
 /// Lets a signal print how to resume the run. `kept`: number of rounds with a checkpoint.
 pub fn say_how_to_resume(progress: &Progress, kept: usize) {
     *unfinished() = Some(UnfinishedRun {
@@ -157,4 +202,18 @@ fn interruption(kept: usize) -> Failure {
     }
     Failure::new(format!("interrupted after round {kept}"))
         .with_help("add --resume to the same command to continue from there")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_signal_that_is_ignored_from_the_begin_is_found() {
+        // As `nohup` leaves it: SIGHUP, and SIGPIPE of the runtime.
+        let status = "Name:\twisch\nSigBlk:\t0000000000000003\nSigIgn:\t0000000000001001\nSigCgt:\t0000000000000002\n";
+        assert!(is_ignored(SIGHUP, status));
+        assert!(!is_ignored(SIGINT, status) && !is_ignored(SIGTERM, status));
+        assert!(!is_ignored(SIGHUP, "") && !is_ignored(SIGHUP, "SigIgn:\tx\n"));
+    }
 }

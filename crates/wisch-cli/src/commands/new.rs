@@ -36,11 +36,18 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
             .within(path)
             .with_help("choose another name, or overwrite it with --force"));
     }
+    // The schema belongs to the program, and is written again.
     let schema = path.with_file_name(SCHEMA_FILE);
     let [file, of_schema] = [path, &schema].map(|path| OutputFile::begin(path));
     let (file, of_schema) = (file?, of_schema?);
     of_schema.finish(TaskFile::json_schema().as_bytes())?;
-    file.finish(TaskFile::TEMPLATE.as_bytes())?;
+    let template = TaskFile::TEMPLATE.as_bytes();
+    if args.force {
+        file.finish(template)?;
+    } else {
+        // Another program may have made the file meanwhile.
+        file.finish_new(template)?;
+    }
     if args.json {
         let written = [path, &schema].map(|path| path.display().to_string());
         print_json(&serde_json::json!({ "written": written }))?;

@@ -160,7 +160,7 @@ fn record_options(
 
 /// Returns the options with which the page suggests commands. The recording knows task, settings, senses and seed.
 fn command_options(args: &LoopArgs) -> CommandOptions {
-    let known = ["set", "seed", "touch-only", "memory", "no-memory", "live"];
+    let known = ["set", "seed", "touch-only", "live"];
     CommandOptions {
         run: options_for("run", &known),
         rounds: (args.rounds).map_or_else(String::new, |rounds| format!("--rounds {rounds}")),
@@ -311,7 +311,9 @@ impl Sinks<'_> {
                 Ok(Stage::Ended) => return Ok(()),
                 Ok(_) => {}
                 // An executor that waits between two motions answers a stop with an error.
-                Err(_) if self.is_stopped() && !self.is_moving && finished > 0 => {
+                Err(RunError::Execute(error))
+                    if error.is_interruption() && !self.is_moving && finished > 0 =>
+                {
                     let _ = self.record.on_event(&RunEvent::Ended(None));
                     return Ok(());
                 }

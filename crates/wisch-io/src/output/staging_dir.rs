@@ -1,7 +1,7 @@
 //! The hidden staging folder in which results are written, and the staging folders of killed runs.
 
-use super::Unfinished;
 use super::replacement::{Left, complete};
+use super::{Unfinished, UnfinishedPath};
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -99,7 +99,7 @@ impl StagingDir {
             let (path, unfinished) = Unfinished::create(|| {
                 let folder = tempfile::Builder::new().prefix(prefix).tempdir_in(parent)?;
                 let path = folder.keep();
-                io::Result::Ok((path.clone(), vec![path]))
+                io::Result::Ok((path.clone(), vec![UnfinishedPath::Whole(path)]))
             })?;
             let lock = File::create(path.join(LOCK_FILE))?;
             lock.lock()?;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
+use std::time::{Duration, Instant};
 
 /// What this process would leave behind if it ended now, by a number.
 static UNFINISHED: Mutex<Register> = Mutex::new(Register {
@@ -13,22 +14,51 @@ static UNFINISHED: Mutex<Register> = Mutex::new(Register {
 
 struct Register {
     next: u64,
-    paths: BTreeMap<u64, Vec<PathBuf>>,
+    paths: BTreeMap<u64, Vec<UnfinishedPath>>,
 }
+
+/// A path that an interruption removes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum UnfinishedPath {
+    /// A file, or a folder with its contents.
+    Whole(PathBuf),
+    /// A folder that is removed only if it is empty.
+    EmptyFolder(PathBuf),
+}
+
+/// Longest wait of an interruption for a file that is created or moved meanwhile: a file system may block it.
+const PATIENCE: Duration = Duration::from_secs(2);
+/// Period at which the wait tries again.
+const PERIOD: Duration = Duration::from_millis(20);
 
 fn register() -> MutexGuard<'static, Register> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Locks the register; `None` if that takes longer than [`PATIENCE`].
+fn try_register() -> Option<MutexGuard<'static, Register>> {
+    let begin = Instant::now();
+    loop {
+        match UNFINISHED.try_lock() {
+            Ok(all) => return Some(all),
+            Err(TryLockError::Poisoned(all)) => return Some(all.into_inner()),
+            Err(TryLockError::WouldBlock) if begin.elapsed() < PATIENCE => {
+                std::thread::sleep(PERIOD);
+            }
+            Err(TryLockError::WouldBlock) => return None,
+        }
+    }
+}
+
 /// Files and folders that are written aside, which [`remove_unfinished`] removes while this guard exists.
 ///
 /// ```
-/// use wisch_io::Unfinished;
+/// use wisch_io::{Unfinished, UnfinishedPath};
 /// # let folder = tempfile::tempdir()?;
 /// # let (aside, target) = (folder.path().join(".a.part"), folder.path().join("a"));
 /// let unfinished = Unfinished::create(|| {
 ///     std::fs::write(&aside, "half")?;
-///     Ok::<_, std::io::Error>(((), vec![aside.clone()]))
+///     Ok::<_, std::io::Error>(((), vec![UnfinishedPath::Whole(aside.clone())]))
 /// })?
 /// .1;
 /// unfinished.place(|| std::fs::rename(&aside, &target))?;
@@ -43,7 +73,7 @@ impl Unfinished {
     /// # Errors
     /// The error of `create`.
     pub fn create<T, E>(
-        create: impl FnOnce() -> Result<(T, Vec<PathBuf>), E>,
+        create: impl FnOnce() -> Result<(T, Vec<UnfinishedPath>), E>,
     ) -> Result<(T, Self), E> {
         let mut all = register();
         let (created, paths) = create()?;
@@ -77,26 +107,31 @@ impl Drop for Unfinished {
     }
 }
 
-/// Removes what is unfinished, before the program ends because of a signal. Folders are removed with their contents; a path
-/// with a trailing `/` only if it is empty.
+/// Removes what is unfinished, before the program ends because of a signal. Folders are removed with their contents.
 ///
-/// From now on, another thread that creates or finishes a file waits for ever: call it only before the process exits.
+/// From now on, another thread that creates or finishes a file waits for ever: call it only before the process exits. If such
+/// a thread takes longer than 2 s, nothing is removed, and the next command removes what is left.
 pub fn remove_unfinished() {
-    let all = register();
-    let is_parent = |path: &PathBuf| path.to_string_lossy().ends_with('/');
-    let (parents, paths): (Vec<&PathBuf>, Vec<&PathBuf>) = all
-        .paths
-        .values()
-        .flatten()
-        .partition(|path| is_parent(path));
-    for path in paths {
-        // A thread that still writes into a folder may add a file meanwhile. The next command removes what is left.
-        let remove = || fs::remove_dir_all(path).or_else(|_| fs::remove_file(path));
-        let _ = remove().or_else(|_| remove());
+    let Some(all) = try_register() else {
+        return;
+    };
+    let paths = || all.paths.values().flatten();
+    for path in paths() {
+        if let UnfinishedPath::Whole(path) = path {
+            remove_whole(path);
+        }
     }
-    for path in parents {
-        // Folders with contents stay.
-        let _ = fs::remove_dir(path);
+    for path in paths() {
+        if let UnfinishedPath::EmptyFolder(path) = path {
+            // Folders with contents stay.
+            let _ = fs::remove_dir(path);
+        }
     }
     std::mem::forget(all);
+}
+
+fn remove_whole(path: &Path) {
+    // A thread that still writes into a folder may add a file meanwhile. The next command removes what is left.
+    let remove = || fs::remove_dir_all(path).or_else(|_| fs::remove_file(path));
+    let _ = remove().or_else(|_| remove());
 }

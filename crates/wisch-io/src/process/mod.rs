@@ -196,6 +196,11 @@ impl ProcessExecutor {
         ExecutorError::new(format!("executor {:?}: {problem}", self.name))
     }
 
+    fn interruption(&mut self) -> ExecutorError {
+        self.fault("interrupted before the motion began")
+            .with_interruption()
+    }
+
     fn unexpected(&mut self, wanted: &str, found: &FromChild) -> ExecutorError {
         self.fault(format!("expected {wanted}, found {}", found.kind()))
     }
@@ -281,7 +286,9 @@ impl ProcessExecutor {
         match self.hear(Instant::now() + self.silence, Heeds::Interruption)? {
             Ok(message) => Ok(message),
             Err(Unheard::Silent) => Err(self.silent(self.silence)),
-            Err(Unheard::Interrupted) => Err(self.fault("interrupted before its answer")),
+            Err(Unheard::Interrupted) => Err(self
+                .fault("interrupted before its answer")
+                .with_interruption()),
         }
     }
 
@@ -378,7 +385,7 @@ impl Executor for ProcessExecutor {
         sink: &mut SampleSink<'_>,
     ) -> Result<Execution, ExecutorError> {
         if self.is_interrupted() {
-            return Err(self.fault("interrupted before the motion began"));
+            return Err(self.interruption());
         }
         self.check_shape(order.task)?;
         let clock = self.ready.stamp_clock.map(|clock| clock.0);
@@ -480,7 +487,7 @@ impl ProcessExecutor {
     fn wait_while_paused(&mut self) -> Result<(), ExecutorError> {
         while self.pause.is_wanted() {
             if self.is_interrupted() {
-                return Err(self.fault("interrupted before the motion began"));
+                return Err(self.interruption());
             }
             std::thread::sleep(PAUSE_POLL);
         }

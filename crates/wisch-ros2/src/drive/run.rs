@@ -133,7 +133,7 @@ impl<'a> MotionRun<'a> {
             began: (latest.stamp, latest.arrival),
             latest,
             sample_time: -1.0,
-            jumps: JumpWatch::new(robot.frames.velocity_limits()),
+            jumps: JumpWatch::new(robot.frames.velocity_limits(), robot.frames.units()),
             force: Vector3::zeros(),
             bias: driver.tare.get().unwrap_or_default(),
             quality: WrenchQuality::Untared,
@@ -664,16 +664,20 @@ impl<'a> MotionRun<'a> {
         self.settle_for(SETTLE / 3)
     }
 
+    /// Velocity of the fastest joint in the last state, and the unit of its positions; zero if the state has no velocities.
+    fn fastest_joint(&self) -> (f64, &'static str) {
+        let speeds = self.latest.velocities.iter().map(|v| v.abs());
+        let speeds = speeds.zip(self.robot.frames.units());
+        let fastest = speeds.max_by(|a, b| a.0.total_cmp(&b.0));
+        fastest.unwrap_or((0.0, "rad"))
+    }
+
     fn settle_for(&mut self, rest: Duration) -> Turned<()> {
         let begin = Instant::now();
         let mut since = begin;
         loop {
             self.turn()?;
-            let speed = self
-                .latest
-                .velocities
-                .iter()
-                .fold(0.0_f64, |most, v| most.max(v.abs()));
+            let (speed, unit) = self.fastest_joint();
             if speed > REST {
                 since = Instant::now();
             }
@@ -685,7 +689,7 @@ impl<'a> MotionRun<'a> {
                 return stop(
                     Kind::Tolerance,
                     format!(
-                        "a joint still moves at {speed:.3} rad/s after {seconds} s without a goal; the limit is {REST} rad/s"
+                        "a joint still moves at {speed:.3} {unit}/s after {seconds} s without a goal; the limit is {REST} {unit}/s"
                     ),
                 );
             }

@@ -152,7 +152,7 @@ impl Table<'_> {
         let open: Vec<String> = open.collect();
         (!open.is_empty()).then(|| {
             format!(
-                "read as {}: the log states a unit for the others only",
+                "read as {}: the log states no unit for these columns, but one for other columns of the same quantity",
                 open.join(" and ")
             )
         })

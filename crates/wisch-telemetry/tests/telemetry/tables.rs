@@ -460,8 +460,7 @@ fn a_unit_of_some_columns_only_is_reported_and_words_for_nothing_are_empty() {
         .replace(",x,y,z,", ",x,y,z [mm],")
         .replace(",fx,fy,fz", ",fx [gf],fy,fz");
     let log = read_text(&table(&names, plain), &LogOptions::default());
-    let partly =
-        "read as x, y in metres and fy, fz in newtons: the log states a unit for the others only";
+    let partly = "read as x, y in metres and fy, fz in newtons: the log states no unit for these columns, but one for other columns of the same quantity";
     assert!(
         log.remarks.iter().any(|remark| remark == partly),
         "{:?}",

@@ -140,6 +140,7 @@ impl From<Vec<f64>> for RobotState {
 /// use wisch::run::ExecutorError;
 /// let error = ExecutorError::new("the driver is off");
 /// assert!(error.to_string().contains("the driver is off"));
+/// assert!(!error.is_interruption() && error.with_interruption().is_interruption());
 /// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{message}")]
@@ -147,6 +148,7 @@ pub struct ExecutorError {
     message: String,
     pauses: Vec<Pause>,
     dropped_samples: usize,
+    is_interruption: bool,
 }
 
 impl ExecutorError {
@@ -156,7 +158,22 @@ impl ExecutorError {
             message: cause.to_string(),
             pauses: Vec::new(),
             dropped_samples: 0,
+            is_interruption: false,
         }
+    }
+
+    /// States that the operator interrupted the executor, which has no fault.
+    #[must_use]
+    pub fn with_interruption(self) -> Self {
+        Self {
+            is_interruption: true,
+            ..self
+        }
+    }
+
+    /// Whether the operator interrupted the executor.
+    pub const fn is_interruption(&self) -> bool {
+        self.is_interruption
     }
 
     /// Adds what is known of a motion that ended with this error, beside the samples that the sink has taken.

@@ -36,8 +36,8 @@ struct Evidence {
     rounds: Vec<ObservedRound>,
     /// Folders of the runs and episodes that contain the rounds.
     runs: Vec<PathBuf>,
-    /// Number of bags that do not state their press force.
-    undeclared: usize,
+    /// Bags that do not state their press force.
+    undeclared: Vec<PathBuf>,
 }
 
 /// Reads bags and episodes, fits their interaction laws, and writes entries for the knowledge base.
@@ -47,7 +47,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let source = KnowledgeSource::new(args.knowledge.as_deref());
     let knowledge = source.base()?;
     let mut tasks = Tasks::read(args)?;
-    let recordings = recordings(args, &mut tasks, &progress)?;
+    let (recordings, left_out) = recordings(args, &mut tasks, &progress)?;
     let file = if args.diff {
         None
     } else {
@@ -56,6 +56,9 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         Some(OutputFile::begin(&args.out)?)
     };
     let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
+    if lessons.is_empty() {
+        return Err(learned_nothing(recordings.len() + left_out));
+    }
     progress.say(format!("fitting {}", counted(lessons.len(), "law")));
     let given: Vec<LawObservations<'_>> = (lessons.iter())
         .map(|evidence| LawObservations {
@@ -242,7 +245,7 @@ fn evidence(
                 Some(evidence) => {
                     evidence.rounds.extend(one.rounds);
                     evidence.runs.extend(one.runs);
-                    evidence.undeclared += one.undeclared;
+                    evidence.undeclared.extend(one.undeclared);
                 }
                 None => {
                     laws.insert(key, one);
@@ -250,15 +253,16 @@ fn evidence(
             }
         }
     }
-    if laws.is_empty() {
-        return Err(learned_nothing(recordings.len()));
-    }
-    for evidence in laws.values().filter(|evidence| evidence.undeclared > 0) {
+    for evidence in laws.values().filter(|law| !law.undeclared.is_empty()) {
         let force = evidence.interaction.press_force_n;
-        let count = counted(evidence.undeclared, "bag");
+        let bags = evidence
+            .undeclared
+            .iter()
+            .map(|bag| bag.display().to_string());
+        let bags = bags.collect::<Vec<_>>().join(", ");
         progress.aside(|| {
             remark(&format!(
-                "{count} of an earlier version do not state the press force: the task's, {force} N, is assumed"
+                "the press force of the task, {force} N, is assumed for bags of an earlier version, which do not state it: {bags}"
             ));
         });
     }
@@ -277,8 +281,17 @@ struct EvidenceReader<'a, 'b> {
 }
 
 impl<'b> EvidenceReader<'_, 'b> {
-    /// Reads the rounds of a run, by task.
+    /// Reads the rounds of a run, by task. After an error, none of its rounds counts as read.
     fn read(&mut self, run: &'b Recording) -> Result<Vec<Evidence>, Failure> {
+        let known = self.known.count();
+        let found = self.read_new(run);
+        if found.is_err() {
+            self.known.truncate(known);
+        }
+        found
+    }
+
+    fn read_new(&mut self, run: &'b Recording) -> Result<Vec<Evidence>, Failure> {
         let mut rounds: BTreeMap<String, Vec<RecordedRound>> = BTreeMap::new();
         for source in &run.sources {
             self.done += 1;
@@ -322,7 +335,9 @@ impl<'b> EvidenceReader<'_, 'b> {
             found.push(Evidence {
                 interaction,
                 collision_radius: prepared.task.tool.collision_radius(),
-                undeclared: rounds.iter().filter(is_undeclared).count(),
+                undeclared: (rounds.iter().filter(is_undeclared))
+                    .map(|round| round.place.clone())
+                    .collect(),
                 rounds: seen_rounds(prepared, rounds, self.progress)?,
                 runs: vec![run.folder.clone()],
             });

@@ -30,6 +30,8 @@ pub(super) struct LawRecord {
     surface: String,
     /// Nominal press force of all rounds [N].
     press_force_n: f64,
+    /// Number of bags that do not state their press force, for which that of their task is assumed.
+    bags_of_assumed_force: usize,
     rounds: usize,
     runs: usize,
     particles: usize,
@@ -81,6 +83,7 @@ pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
         medium: medium.clone(),
         surface: surface.to_string(),
         press_force_n: *press_force_n,
+        bags_of_assumed_force: evidence.undeclared.len(),
         rounds: law.rounds,
         runs: evidence.runs.len(),
         particles: law.particles,
@@ -128,7 +131,15 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
             ),
             (
                 "press force",
-                format!("{} N in every round", law.press_force_n),
+                match law.bags_of_assumed_force {
+                    0 => format!("{} N in every round", law.press_force_n),
+                    bags => format!(
+                        "{} N, assumed for {} of {}",
+                        law.press_force_n,
+                        bags,
+                        counted(law.rounds, "round")
+                    ),
+                },
             ),
             (
                 "from",

@@ -22,7 +22,7 @@ pub(super) struct Recording {
     pub folder: PathBuf,
     /// The rounds.
     pub sources: Vec<Source>,
-    /// Whether nobody has named it, so that it is left out if its law cannot be learned.
+    /// Whether it is an episode that the command line does not name: it is left out if its law cannot be learned.
     pub is_optional: bool,
 }
 
@@ -171,6 +171,16 @@ pub(super) struct KnownRounds<'a> {
 }
 
 impl<'a> KnownRounds<'a> {
+    /// Number of the rounds.
+    pub const fn count(&self) -> usize {
+        self.rounds.len()
+    }
+
+    /// Forgets all rounds but the first `count`.
+    pub fn truncate(&mut self, count: usize) {
+        self.rounds.truncate(count);
+    }
+
     /// Returns the earlier source that holds the same round; `None` for a new round, which is remembered.
     ///
     /// # Errors
@@ -210,12 +220,12 @@ fn place(episode: &Episode, number: usize) -> PathBuf {
     episode.folder().join(format!("round-{number}"))
 }
 
-/// Lists all recorded rounds of the arguments, grouped by run.
+/// Lists all recorded rounds of the arguments, grouped by run, and counts the episodes that are left out.
 pub(super) fn recordings(
     args: &LearnArgs,
     tasks: &mut Tasks,
     progress: &Progress,
-) -> Result<Vec<Recording>, Failure> {
+) -> Result<(Vec<Recording>, usize), Failure> {
     let bags = bags(&args.bags)?.into_iter();
     let mut recordings: Vec<Recording> = bags
         .map(|(folder, bags)| Recording {
@@ -225,8 +235,9 @@ pub(super) fn recordings(
         })
         .collect();
     if args.memory.is_none() && args.episodes.is_empty() {
-        return Ok(recordings);
+        return Ok((recordings, 0));
     }
+    let mut left_out = 0;
     let folder = args.memory.clone();
     let folder = folder.unwrap_or_else(|| PathBuf::from(DEFAULT_MEMORY));
     let memory = open(&MemoryArgs {
@@ -246,14 +257,17 @@ pub(super) fn recordings(
                     is_optional: true,
                     ..recording
                 }),
-                Err(why) => progress.aside(|| remark(&format!("left out: {why}"))),
+                Err(why) => {
+                    left_out += 1;
+                    progress.aside(|| remark(&format!("left out: {why}")));
+                }
             }
         }
         if recordings.is_empty() {
             return Err(learned_nothing(ids.len()).within(&folder));
         }
     }
-    Ok(recordings)
+    Ok((recordings, left_out))
 }
 
 /// The error that no law can be learned from some episodes.

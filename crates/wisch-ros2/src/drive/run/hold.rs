@@ -54,12 +54,12 @@ impl MotionRun<'_> {
             }
         }
         let seconds = HOLD.as_secs_f64();
-        let fastest = (self.latest.velocities.iter()).fold(0.0_f64, |most, v| most.max(v.abs()));
+        let (fastest, unit) = self.fastest_joint();
         Err(match (is_canceled, is_released) {
             (false, _) => format!("no answer to the cancel of its goal within {seconds} s"),
             (true, false) => format!("force mode was not ended within {seconds} s"),
             (true, true) => format!(
-                "after {seconds} s a joint moves at {fastest:.3} rad/s or m/s, the limit is {REST}"
+                "after {seconds} s a joint moves at {fastest:.3} {unit}/s, the limit is {REST} {unit}/s"
             ),
         })
     }
