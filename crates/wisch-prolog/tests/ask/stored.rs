@@ -202,7 +202,10 @@ fn an_episode_without_telemetry_is_named_and_left_out() {
         let error = asker
             .ask("telemetry(farce, [1005, 1006], mean, F)")
             .unwrap_err();
-        assert!(error.to_string().contains("nearest: force; known: force, "), "{error}");
+        assert!(
+            error.to_string().contains("nearest: force; known: force, "),
+            "{error}"
+        );
     }
     let faults: Vec<String> = memory
         .verify()
