@@ -30,8 +30,8 @@ fn a_force_too_weak_for_the_dirt_leaves_the_goal_unknown() {
     );
     let (_, record, _) = predict("3", &["--json"]);
     let record: Value = serde_json::from_str(&record).unwrap();
-    assert_eq!(record["prediction"]["goal"], "unknown");
-    assert_eq!(record["prediction"]["goal_met"], false);
+    assert_eq!(record["goal"], "unknown");
+    assert_eq!(record["goal_met"], false);
 }
 
 #[test]

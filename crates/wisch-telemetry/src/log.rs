@@ -55,7 +55,7 @@ pub struct Log {
     pub task: Option<String>,
     /// Digest of the mesh of the surface, in hexadecimal digits; bags that `wisch run` has written on meshes state it.
     pub surface_mesh: Option<String>,
-    /// Nominal press force [N]; bags that `wisch run` has written state it.
+    /// Nominal press force \[N\]; bags that `wisch run` has written state it.
     pub press_force_n: Option<f64>,
     /// Number of the executed round, from 1; bags written by [`crate::BagWriter`] state it.
     pub round: Option<usize>,
