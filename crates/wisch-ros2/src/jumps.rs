@@ -55,7 +55,8 @@ impl JumpWatch {
             let most = limit * (elapsed + STAMP_JITTER_S);
             (way > most).then_some((joint, limit, way, most))
         });
-        let (joint, limit, way, most) = jumped.max_by(|a, b| (a.2 / a.3).total_cmp(&(b.2 / b.3)))?;
+        let (joint, limit, way, most) =
+            jumped.max_by(|a, b| (a.2 / a.3).total_cmp(&(b.2 / b.3)))?;
         let (name, unit) = joint;
         self.count += 1;
         if self.count > 1 {
@@ -113,7 +114,9 @@ mod tests {
         assert_eq!(check(begin, (101.1, [0.2, 0.0]), Some(1.0)), None);
         let remark = check(begin, (101.004, [-0.07, 0.0]), Some(2.0)).unwrap();
         assert!(
-            remark.starts_with("at 1.00 s joint \"a\" jumped by 0.070 rad within 4 ms; its limit of 2 rad/s"),
+            remark.starts_with(
+                "at 1.00 s joint \"a\" jumped by 0.070 rad within 4 ms; its limit of 2 rad/s"
+            ),
             "{remark}"
         );
         assert!(
