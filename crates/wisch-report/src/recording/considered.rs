@@ -2,7 +2,7 @@
 
 use super::particles::line;
 use super::reasons::find_lost_share;
-use super::samples::round_to;
+use super::samples::{round_share, round_to};
 use serde::Serialize;
 use wisch::plan::{Plan, Stroke};
 use wisch::run::CandidateEvaluation;
@@ -39,7 +39,7 @@ impl ConsideredRecord {
             strategy: one.strategy.as_str(),
             chosen: false,
             score: found.ok().map(|found| round_to(found.score.total, 1e4)),
-            predicted: performance.map(|found| round_to(found.ratio(), 1e4)),
+            predicted: performance.map(|found| round_share(found.ratio())),
             lost: performance.as_ref().map(find_lost_share),
             strokes: plan.map(|plan| plan.strokes.len()),
             in_contact: plan.map(|plan| round_to(Plan::contact_distance(plan), 1e3)),

@@ -2,7 +2,7 @@
 
 use super::incidents::{Incident, find_incidents};
 use super::particles::{DensityRecord, find_density, flat_remaining};
-use super::samples::round_to;
+use super::samples::{round_share, round_to};
 use super::surface::BendRecord;
 use super::treated::TreatedPlaces;
 use super::{RoundTruth, words};
@@ -108,8 +108,7 @@ impl Interpreted {
 
 impl EstimateRecord {
     fn new(estimate: Estimate) -> Self {
-        let [mean, low, high] =
-            [estimate.mean, estimate.low, estimate.high].map(|share| round_to(share, 1e4));
+        let [mean, low, high] = [estimate.mean, estimate.low, estimate.high].map(round_share);
         Self { mean, low, high }
     }
 }
@@ -132,7 +131,7 @@ impl Truth {
         Self {
             piece: "truth",
             round: truth.round,
-            performance: truth.performance.map(|share| round_to(share, 1e4)),
+            performance: truth.performance.map(round_share),
             particles: match places {
                 Some(_) => None,
                 None => truth.particles.map(flat_remaining),

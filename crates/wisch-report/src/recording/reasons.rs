@@ -1,7 +1,7 @@
 //! Why a plan looks as it does: what each stroke and one more stroke gain, how the tool is turned, where the base can stand.
 
 use super::particles::{flat_remaining, line};
-use super::samples::round_to;
+use super::samples::{round_share, round_to};
 use super::treated::TreatedPlaces;
 use crate::draw::metres;
 use serde::Serialize;
@@ -101,10 +101,7 @@ impl Reasons {
 
 /// Returns the predicted share of lost dirt [1].
 pub(super) fn find_lost_share(performance: &Performance) -> f64 {
-    round_to(
-        performance.lost as f64 / performance.initial.max(1) as f64,
-        1e4,
-    )
+    round_share(performance.lost as f64 / performance.initial.max(1) as f64)
 }
 
 fn predict_strokes(task: &Task, wiped: &Plan, strokes: Vec<Stroke>) -> Prediction {
@@ -123,7 +120,7 @@ fn leave_out_each(task: &Task, wiped: &Plan) -> Vec<LeftOut> {
         let found = predict_strokes(task, wiped, strokes);
         LeftOut {
             stroke,
-            performance: round_to(found.performance.ratio(), 1e4),
+            performance: round_share(found.performance.ratio()),
             lost: find_lost_share(&found.performance),
             particles: match places {
                 Some(_) => Vec::new(),
@@ -151,7 +148,7 @@ fn repeat_best(task: &Task, wiped: &Plan, prediction: &Prediction) -> Option<Rep
         .filter(|(gain, _)| *gain >= LEAST_GAIN)
         .max_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Repeated {
-        gain: round_to(gain, 1e4),
+        gain: round_share(gain),
         line: line(stroke.poses.iter().map(|pose| &pose.position)),
         way: round_to(stroke.length(), 1e3),
     })

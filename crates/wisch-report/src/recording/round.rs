@@ -5,7 +5,7 @@ use super::logged::{self, Log, LoggedRound};
 use super::particles::{Moment, ParticleStep, line, steps};
 use super::phases::{PhaseRecord, phases};
 use super::reasons::{Reasons, find_lost_share};
-use super::samples::{NOMINAL_SPEED, round_to, seconds_at};
+use super::samples::{NOMINAL_SPEED, round_share, round_to, seconds_at};
 use super::surface::SurfaceRecord;
 use super::treated::{TreatedPlaces, TreatmentRecord};
 use super::{UnexecutedPlan, words};
@@ -242,7 +242,7 @@ impl Shown<'_> {
             phases: followed.map_or_else(Vec::new, phases),
             press_force: (self.kind == "executed")
                 .then(|| round_to(task.interaction.press_force_n, 1e3)),
-            predicted: Some(round_to(self.predicted.performance.ratio(), 1e4)),
+            predicted: Some(round_share(self.predicted.performance.ratio())),
             lost: Some(find_lost_share(&self.predicted.performance)),
             growth: growth.collect(),
             // The places of a treated surface rest: their values change.

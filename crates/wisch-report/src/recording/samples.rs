@@ -213,6 +213,11 @@ fn round_pose(pose: &Pose) -> [f64; 7] {
     flatten_pose(pose).map(|number| round_to(number, 1e4))
 }
 
+/// Rounds a share to a millionth: a page that shows tenths of a percent then rounds it as this program does.
+pub(super) fn round_share(share: f64) -> f64 {
+    round_to(share, 1e6)
+}
+
 /// Rounds a number to multiples of `1 / per_unit`; adding zero avoids "-0.0".
 pub(super) fn round_to(value: f64, per_unit: f64) -> f64 {
     (value * per_unit).round() / per_unit + 0.0
