@@ -77,14 +77,13 @@ fn format_option(given: &ArgMatches, option: &Arg, name: &str) -> Vec<String> {
     if !matches!(given.value_source(id), Some(ValueSource::CommandLine)) {
         return Vec::new();
     }
-    let option = if matches!(option.get_action(), ArgAction::SetTrue) {
-        return vec![format!("--{name}")];
-    } else {
-        format!("--{name}")
-    };
+    let word = format!("--{name}");
+    if matches!(option.get_action(), ArgAction::SetTrue) {
+        return vec![word];
+    }
     let values = given.get_raw(id).into_iter().flatten();
     values
-        .flat_map(|value| [option.clone(), shell_word(&value.to_string_lossy())])
+        .flat_map(|value| [word.clone(), shell_word(&value.to_string_lossy())])
         .collect()
 }
 

@@ -105,7 +105,7 @@ impl<Q: Quantity> Search<Q> {
             None => Vec::new(),
         };
         if located.is_empty() && self.names(channel) {
-            let kind = channel.schema.as_ref().map(|schema| schema.name.clone());
+            let schema_name = channel.schema.as_ref().map(|schema| schema.name.as_str());
             let fields = match Locator::<Q>::find(schema, "") {
                 Some(_) => vec![String::new()],
                 None => {
@@ -115,7 +115,7 @@ impl<Q: Quantity> Search<Q> {
             };
             return Err(ReadFault::NotThere {
                 topic: channel.topic.clone(),
-                kind: kind.unwrap_or_default().into(),
+                kind: schema_name.unwrap_or("unknown").into(),
                 field: field.to_owned(),
                 what: Q::NAME,
                 fields: fields.into(),
