@@ -475,6 +475,18 @@ pub enum ReadFault {
         /// Text of the value.
         text: String,
     },
+    /// A column of whole seconds or nanoseconds holds another value.
+    #[error("{place}, column {column:?}: {text:?} is not a whole number of {expected}")]
+    SplitTime {
+        /// Name of the line or row.
+        place: String,
+        /// Name of the column.
+        column: String,
+        /// Text of the value.
+        text: String,
+        /// What is expected.
+        expected: &'static str,
+    },
 }
 
 /// Recording formats that are recognised but not read.

@@ -30,6 +30,16 @@ const TIMES: [&str; 14] = [
     "date_time",
 ];
 
+/// Last words of the names of two columns that state a time together: its whole seconds, and the nanoseconds beyond them.
+const SPLIT_TIMES: [[&str; 2]; 6] = [
+    ["secs", "nsecs"],
+    ["sec", "nsec"],
+    ["sec", "nanosec"],
+    ["secs", "nanosecs"],
+    ["seconds", "nanoseconds"],
+    ["s", "nsec"],
+];
+
 /// A column that is read.
 #[derive(Debug, Clone)]
 pub(super) struct Column {
@@ -44,7 +54,8 @@ pub(super) struct Column {
     pub is_unit_known: bool,
 }
 
-/// Columns that are read: time (unless a rate replaces it), position, orientation, force.
+/// Columns that are read: time (unless a rate replaces it; its nanoseconds may follow in a column of their own), position,
+/// orientation, force.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
     pub columns: Vec<Column>,
@@ -68,7 +79,7 @@ impl Layout {
         finder.check_renamed()?;
         let mut columns = Vec::new();
         if options.rate.is_none() {
-            columns.push(finder.time()?);
+            columns.extend(finder.time()?);
         }
         let force = finder.force()?;
         let (form, turn) = finder.orientation(options.orientation)?;
@@ -104,11 +115,6 @@ impl Layout {
     /// Indices of all columns that are read.
     pub fn indices(&self) -> Vec<usize> {
         self.columns.iter().map(|column| column.index).collect()
-    }
-
-    /// Whether the table has a column of times.
-    pub fn has_time(&self) -> bool {
-        self.columns[0].kind == UnitKind::Time
     }
 
     /// Range of the columns with a kind of unit, which are adjacent.
@@ -213,27 +219,69 @@ impl Finder<'_> {
         Ok(columns)
     }
 
-    fn time(&mut self) -> Result<Column, ReadFault> {
+    /// Finds the column of times, or those of their seconds and nanoseconds.
+    fn time(&mut self) -> Result<Vec<Column>, ReadFault> {
         if self.renaming(TIME).is_some() {
             let [time] = self.by_our_names([TIME], UnitKind::Time)?;
-            return time.ok_or_else(|| self.missing(TIME));
+            return Ok(vec![time.ok_or_else(|| self.missing(TIME))?]);
         }
         let mut found = Vec::new();
         for name in TIMES {
-            found.extend(self.sole(name)?);
+            found.extend(self.sole(name)?.map(|index| vec![index]));
         }
-        let Some(&first) = found.first() else {
+        // Seconds whose nanoseconds stand in another column are no times by themselves.
+        let split = self.split_times();
+        found.retain(|time| !split.iter().any(|pair| pair.contains(&time[0])));
+        found.extend(split.into_iter().map(Vec::from));
+        let Some(first) = found.first() else {
             return Err(ReadFault::NoTime {
                 columns: self.texts.to_vec(),
             });
         };
-        if let Some(second) = found.get(1) {
-            let [first, second] = [first, *second].map(|index| &self.texts[index]);
+        let named = |indices: &[usize]| {
+            let texts = indices
+                .iter()
+                .map(|&index| format!("{:?}", self.texts[index]));
+            texts.collect::<Vec<_>>().join(" and ")
+        };
+        if first.len() > 1 {
             self.remarks.push(format!(
-                "times from column {first:?}; column {second:?} is also a time and is ignored"
+                "times are the seconds and nanoseconds of columns {}",
+                named(first)
             ));
         }
-        Ok(self.column(TIME, first, UnitKind::Time))
+        if let Some(second) = found.get(1) {
+            self.remarks.push(format!(
+                "times from column {}; column {} is also a time and is ignored",
+                named(first),
+                named(second)
+            ));
+        }
+        let is_split = first.len() > 1;
+        let columns = first.iter().map(|&index| {
+            let column = self.column(TIME, index, UnitKind::Time);
+            // The units of seconds and nanoseconds follow from their order.
+            let unit = column.unit.filter(|_| !is_split);
+            Column { unit, ..column }
+        });
+        Ok(columns.collect())
+    }
+
+    /// Finds the pairs of columns of seconds and nanoseconds.
+    fn split_times(&self) -> Vec<[usize; 2]> {
+        let stem = |index: usize, word: &str| -> Option<&str> {
+            let rest = self.names[index].whole.strip_suffix(word)?;
+            rest.strip_suffix('_').or(rest.is_empty().then_some(rest))
+        };
+        let indices = || 0..self.texts.len();
+        let pairs = SPLIT_TIMES.iter().flat_map(|[seconds, nanoseconds]| {
+            indices().filter_map(move |first| {
+                let whole = stem(first, seconds)?;
+                let second = indices().find(|&k| stem(k, nanoseconds) == Some(whole))?;
+                Some([first, second])
+            })
+        });
+        pairs.collect()
     }
 
     fn force(&mut self) -> Result<Vec<Column>, ReadFault> {

@@ -195,13 +195,17 @@ impl Table<'_> {
             largest_angle = largest(&cells[first_angle..first_length], largest_angle);
             largest_length = largest(&cells[first_length..], largest_length);
             rows.push(row);
-            match cells[..first_angle].first() {
-                None | Some(Cell::Empty) => instants.push(None),
-                Some(cell) => match Instant::parse(cell) {
-                    Some(instant) => instants.push(Some(instant)),
+            instants.push(match &cells[..first_angle] {
+                [] | [Cell::Empty, ..] | [_, Cell::Empty] => None,
+                [cell] => match Instant::parse(cell) {
                     None => return Err(self.not_a_number(row, wanted[0], cell)),
+                    instant => instant,
                 },
-            }
+                [seconds, nanoseconds, ..] => {
+                    let joined = Instant::join(seconds, nanoseconds);
+                    Some(joined.map_err(|part| self.split_time_fault(row, part, &cells[part]))?)
+                }
+            });
             Ok(())
         })?;
         self.assume_angles(largest_angle);
@@ -230,7 +234,11 @@ impl Table<'_> {
         let given = time.clone().next().filter(|&column| {
             self.options.time_unit.is_some() || self.layout.columns[column].is_unit_known
         });
-        let given = given.map(|column| self.scales[column]);
+        let given = if time.len() > 1 {
+            Some(1.0)
+        } else {
+            given.map(|column| self.scales[column])
+        };
         let scaled = times::scale_times(&instants, given)
             .map_err(|fault| fault.into_read_fault(|index| self.source.place(rows[index])))?;
         self.remarks.extend(scaled.remarks);
@@ -295,7 +303,7 @@ impl Table<'_> {
         let window = self.options.reorder_window;
         let mut poses = Track::new("the table's pose".to_owned(), window);
         let mut wrenches = Track::new("the table's force".to_owned(), window);
-        let first = usize::from(self.layout.has_time());
+        let first = self.layout.columns_of_kind(UnitKind::Time).len();
         let wanted: Vec<usize> = (first..self.layout.columns.len()).collect();
         let pose_len = 3 + self.layout.form.names().len();
         let (mut without_time, mut number) = (0_usize, 0);
@@ -391,6 +399,16 @@ impl Table<'_> {
             Some(name) => Err(QuantityError::Missing { name }),
             None => Ok(numbers),
         }))
+    }
+
+    /// Describes a cell of the seconds (`part` 0) or the nanoseconds (1) of a time.
+    fn split_time_fault(&self, row: usize, part: usize, cell: &Cell<'_>) -> ReadFault {
+        ReadFault::SplitTime {
+            place: self.source.place(row),
+            column: self.source.names()[self.layout.columns[part].index].clone(),
+            text: cell.text().into_owned(),
+            expected: ["seconds", "nanoseconds, from 0 to 999999999"][part],
+        }
     }
 
     fn not_a_number(&self, row: usize, column: usize, cell: &Cell<'_>) -> ReadFault {

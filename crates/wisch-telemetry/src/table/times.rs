@@ -61,6 +61,21 @@ impl Instant {
         }
     }
 
+    /// Joins the cells of whole seconds and of the nanoseconds beyond them, as messages of ROS state a time.
+    ///
+    /// # Errors
+    /// 0 if the seconds are no whole number, 1 if the nanoseconds are none within a second.
+    pub fn join(seconds: &Cell<'_>, nanoseconds: &Cell<'_>) -> Result<Self, usize> {
+        let whole = |cell: &Cell<'_>| {
+            let number = cell.number().filter(|number| number.fract() == 0.0)?;
+            (number.abs() <= MAX_TIME).then_some(number as i128)
+        };
+        let second = i128::from(NANOSECONDS_PER_SECOND);
+        let rest = whole(nanoseconds).filter(|rest| (0..second).contains(rest));
+        let seconds = whole(seconds).ok_or(0_usize)?;
+        Ok(Self::Billionths(seconds * second + rest.ok_or(1_usize)?))
+    }
+
     fn count(self) -> f64 {
         match self {
             Self::Whole(count) => count as f64,

@@ -433,6 +433,57 @@ fn times_since_1970_are_exact_to_the_nanosecond() {
 }
 
 #[test]
+fn seconds_and_nanoseconds_in_two_columns_are_one_time() {
+    let start = 1_760_000_000_i64;
+    let line = |t: f64, x: f64| {
+        let (seconds, nanoseconds) = (t.floor() as i64, (t.fract() * 1e9).round() as i64);
+        plain(t, x).replacen(
+            &t.to_string(),
+            &format!("{},{nanoseconds}", start + seconds),
+            1,
+        )
+    };
+    let heads = [
+        "secs,nsecs",
+        "/wrench/header/stamp/sec,/wrench/header/stamp/nanosec",
+        "field.header.stamp.secs,field.header.stamp.nsecs",
+        "header.stamp.sec,header.stamp.nanosec",
+    ];
+    for head in heads {
+        let names = NAMES.replacen('t', head, 1);
+        let log = read_text(&table(&names, line), &LogOptions::default());
+        assert_is_it(&log, head);
+        assert_eq!(log.start, start * 1_000_000_000, "{head}");
+        let remark = log
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("seconds and nanoseconds"));
+        assert!(remark, "{head}: {:?}", log.remarks);
+    }
+    let names = NAMES.replacen('t', "sec,nanosec", 1);
+    for wrong in ["1000000000", "-1", "0.5", "x"] {
+        let text = table(&names, |t, x| {
+            plain(t, x).replacen(&t.to_string(), &format!("7,{wrong}"), 1)
+        });
+        let fault = refused_text(&text, &LogOptions::default());
+        assert!(
+            fault.contains("line 2, column \"nanosec\""),
+            "{wrong}: {fault}"
+        );
+        assert!(fault.contains("from 0 to 999999999"), "{wrong}: {fault}");
+    }
+    // Another column of times comes first.
+    let names = NAMES.replacen('t', "t,sec,nanosec", 1);
+    let log = read_text(
+        &table(&names, |t, x| {
+            plain(t, x).replacen(&t.to_string(), &format!("{t},7,x"), 1)
+        }),
+        &LogOptions::default(),
+    );
+    assert_is_it(&log, "t beside seconds and nanoseconds");
+}
+
+#[test]
 fn shuffled_times_are_sorted_and_never_another_unit() {
     let mut lines: Vec<String> = table(NAMES, plain).lines().map(str::to_owned).collect();
     let names = lines.remove(0);
