@@ -67,6 +67,46 @@ fn an_arm_without_an_srdf_is_set_up_and_wipes() {
     assert_eq!(summary["faults"], 0);
 }
 
+/// A robot of four axes whose root is the frame from which it hangs.
+const GANTRY: &str = r#"<robot name="gantry">
+  <link name="frame"><inertial><mass value="20"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><origin xyz="0 0.6 0.1"/><geometry><box size="1.2 0.1 0.1"/></geometry></collision></link>
+  <link name="bridge"><inertial><mass value="5"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <link name="carriage"><inertial><mass value="3"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <link name="ram"><inertial><mass value="2"/><inertia ixx="0.05" iyy="0.05" izz="0.05" ixy="0" ixz="0" iyz="0"/></inertial>
+    <collision><origin xyz="0 0 0.3"/><geometry><box size="0.06 0.06 0.5"/></geometry></collision></link>
+  <link name="tool0"><inertial><mass value="0.5"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="x" type="prismatic"><parent link="frame"/><child link="bridge"/><axis xyz="1 0 0"/><limit lower="-0.5" upper="0.5" velocity="1" effort="500"/></joint>
+  <joint name="y" type="prismatic"><parent link="bridge"/><child link="carriage"/><axis xyz="0 1 0"/><limit lower="-0.5" upper="0.5" velocity="1" effort="500"/></joint>
+  <joint name="z" type="prismatic"><parent link="carriage"/><child link="ram"/><axis xyz="0 0 -1"/><limit lower="0.1" upper="0.8" velocity="0.5" effort="500"/></joint>
+  <joint name="yaw" type="revolute"><parent link="ram"/><child link="tool0"/><origin xyz="0 0 0" rpy="3.14159265358979 0 0"/><axis xyz="0 0 1"/><limit lower="-3" upper="3" velocity="2" effort="50"/></joint>
+</robot>
+"#;
+
+#[test]
+fn a_gantry_that_reaches_only_below_its_root_is_set_up_and_wipes() {
+    let folder = folder_with("arm-board.toml");
+    fs::write(folder.path().join("gantry.urdf"), GANTRY).expect("a URDF");
+    let (code, out, err) = setup(folder.path(), &["gantry.urdf"]);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let place = "below the robot (assumed to hang)";
+    assert!(out.contains(place), "{out}");
+    assert!(
+        out.contains("then put it above the surface of a task"),
+        "{out}"
+    );
+    let task = fs::read_to_string(folder.path().join("task.toml")).expect("a task");
+    let hung = task.replace(
+        "position_m = [0.0, -0.45, 0.75]",
+        "position_m = [0.0, 0.0, 1.4]",
+    );
+    assert_ne!(hung, task);
+    fs::write(folder.path().join("task.toml"), hung).expect("a task");
+    let summary = follow(folder.path(), "gantry.urdf");
+    assert_eq!(summary["abandoned_nodes"], 0);
+    assert_eq!(summary["faults"], 0);
+}
+
 #[test]
 fn a_robot_that_drives_is_set_up_and_wipes_with_its_first_group() {
     let folder = folder_with("chopping-board.toml");

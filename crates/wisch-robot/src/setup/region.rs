@@ -26,6 +26,8 @@ const FORWARD_STANDING: [f64; 2] = [0.30, 0.60];
 const BELOW_SHOULDER: [f64; 2] = [0.45, 0.10];
 /// Height over the floor from which a tool clears a usual table of 0.75 m \[m\].
 const OVER_TABLES: f64 = 1.0;
+/// Depths of the tool under the shoulder of an arm that hangs, as shares of the reach [1].
+const BELOW_HANGING: [f64; 2] = [0.80, 0.40];
 /// Heights of the tool over a known surface [m].
 const OVER_SURFACE: [f64; 2] = [0.15, 0.40];
 /// Distance of a table below the lowest link that its arm cannot lift [m].
@@ -102,6 +104,27 @@ impl WipingRegion {
             place: place.to_owned(),
         });
         Ok(around.to_vec())
+    }
+
+    /// Returns the region below an arm that hangs from a ceiling or a frame.
+    ///
+    /// `held`: posture of the robot (n) [rad or m], from which the place of the shoulder is taken.
+    ///
+    /// # Errors
+    /// If the arm or the posture does not fit the robot.
+    ///
+    /// # Panics
+    /// If a link of the arm belongs to another, larger robot.
+    pub fn below(robot: &RobotModel, arm: &ArmChain, held: &[f64]) -> Result<Self, SetupError> {
+        let (shoulder, reach) = measure_arm(robot, arm, held)?;
+        let [low, high] = BELOW_HANGING.map(|share| shoulder.z - share * reach);
+        let half = HALF_WIDTH * reach;
+        Ok(Self {
+            root_from_region: Pose::translation(shoulder.x, shoulder.y, 0.0),
+            low: Vector3::new(-half, -half, low),
+            high: Vector3::new(half, half, high),
+            place: "below the robot (assumed to hang)".to_owned(),
+        })
     }
 
     /// Returns the region over a known surface.

@@ -32,10 +32,19 @@ pub struct Proposal {
     pub arms: Vec<ArmChain>,
     /// Pairs of links that are not checked.
     pub pairs: LinkPairs,
-    /// Whether a tool at the tips is free of collision in the ready posture.
-    pub has_room_for_tool: bool,
+    /// What the search had to assume.
+    pub assumed: Assumed,
     /// Ready posture of each arm, with the group that was moved.
     pub ready: Vec<(Group, ReadyPosture)>,
+}
+
+/// What a search assumes to find a ready posture, beyond what is usual.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Assumed {
+    /// That no tool is at the tips, as any would collide.
+    pub no_tool: bool,
+    /// That the robot hangs from a ceiling or a frame over the surface.
+    pub hangs: bool,
 }
 
 /// Called occasionally with a stage, the work done and all work.
@@ -46,8 +55,17 @@ struct Scene {
     collisions: CollisionModel,
     /// Posture of the robot before the search; n values.
     held: Vec<f64>,
-    /// The task's surface; `None` without a task.
-    surface: Option<KnownSurface>,
+    place: Place,
+}
+
+/// Where a surface is.
+enum Place {
+    /// Around the robot, on which its table or floor is.
+    Around,
+    /// Below the robot, which hangs.
+    Below,
+    /// Where the task states it.
+    Known(KnownSurface),
 }
 
 /// The surface of a task, relative to the robot.
@@ -83,34 +101,49 @@ pub fn propose(
             })
         })
         .collect();
-    let scenes = match task {
-        Some(task) => vec![scene_of_task(robot, &srdf, task)?],
-        None => STAND_INS
-            .into_iter()
-            .map(|size| scene_without_task(robot, &srdf, &arms, size))
-            .collect::<Result<_, _>>()?,
-    };
-    let mut ready = Ok(Vec::new());
-    let mut tried = 0;
-    for scene in scenes {
-        tried += 1;
-        ready = find_postures(robot, &arms, scene, config, &progress);
-        if !matches!(ready, Err(SetupError::NoReadyPosture { .. })) {
-            break;
+    let (ready, assumed) = match task {
+        Some(task) => {
+            let scene = scene_of_task(robot, &srdf, task)?;
+            let ready = find_postures(robot, &arms, scene, config, &progress)?;
+            (ready, Assumed::default())
         }
-    }
-    let ready = ready?;
+        None => search_without_task(robot, &srdf, &arms, config, &progress)?,
+    };
     srdf.states.splice(0..0, states(robot, &arms, &ready)?);
     srdf.counterbalanced = ready
         .last()
         .map_or_else(Vec::new, |(_, last)| too_heavy(robot, &last.q));
     Ok(Proposal {
-        has_room_for_tool: tried < STAND_INS.len(),
+        assumed,
         srdf,
         arms,
         pairs,
         ready,
     })
+}
+
+/// Searches ready postures without a task, assuming no more than is needed to find them.
+fn search_without_task(
+    robot: &RobotModel,
+    srdf: &Srdf,
+    arms: &[ArmChain],
+    config: &SetupConfig,
+    progress: Progress<'_>,
+) -> Result<(Vec<(Group, ReadyPosture)>, Assumed), SetupError> {
+    let mut refused = None;
+    for hangs in [false, true] {
+        for stand_in in STAND_INS {
+            let scene = scene_without_task(robot, srdf, arms, stand_in, hangs)?;
+            let no_tool = stand_in.is_none();
+            match find_postures(robot, arms, scene, config, progress) {
+                // Most robots stand, so what prevents that is reported.
+                Err(error @ SetupError::NoReadyPosture { .. }) if !hangs => refused = Some(error),
+                Err(SetupError::NoReadyPosture { .. }) => {}
+                ready => return Ok((ready?, Assumed { no_tool, hangs })),
+            }
+        }
+    }
+    refused.map_or_else(|| Ok((Vec::new(), Assumed::default())), Err)
 }
 
 /// Searches the ready postures of all arms, one after the other; each keeps those before it.
@@ -125,7 +158,7 @@ fn find_postures(
     let mut moved: Vec<usize> = Vec::new();
     let mut ready = Vec::new();
     for arm in arms {
-        let regions = regions(robot, arm, &held, scene.surface.as_ref())?;
+        let regions = regions(robot, arm, &held, &scene.place)?;
         let mut found = None;
         for (group, places) in list_attempts(robot, arm, &moved, regions.len())? {
             let request = ReadyRequest {
@@ -265,10 +298,12 @@ fn regions(
     robot: &RobotModel,
     arm: &ArmChain,
     held: &[f64],
-    surface: Option<&KnownSurface>,
+    place: &Place,
 ) -> Result<Vec<WipingRegion>, SetupError> {
-    let Some(surface) = surface else {
-        return WipingRegion::around(robot, arm, held);
+    let surface = match place {
+        Place::Around => return WipingRegion::around(robot, arm, held),
+        Place::Below => return Ok(vec![WipingRegion::below(robot, arm, held)?]),
+        Place::Known(surface) => surface,
     };
     let (at, name) = (&surface.root_from_surface, &surface.name);
     if !surface.is_driven_to {
@@ -284,12 +319,13 @@ fn regions(
         .collect())
 }
 
-/// Returns the robot alone, with a stand-in for a tool at each tip, and on a table if it is an arm on one.
+/// Returns the robot alone, with a stand-in for a tool at each tip, and on a table if it is an arm on one, unless it hangs.
 fn scene_without_task(
     robot: &RobotModel,
     srdf: &Srdf,
     arms: &[ArmChain],
     stand_in: Option<[f64; 3]>,
+    hangs: bool,
 ) -> Result<Scene, SetupError> {
     let (held, _) = held_posture(robot);
     let mut collisions = CollisionModel::new(robot, Some(srdf))?;
@@ -309,6 +345,14 @@ fn scene_without_task(
             collisions.allow(&name, &robot.links()[link.index()].name)?;
         }
     }
+    if hangs {
+        let place = Place::Below;
+        return Ok(Scene {
+            collisions,
+            held,
+            place,
+        });
+    }
     if let Some(top) = find_table(robot, arms, &held)? {
         let [x, y, z] = TABLE;
         let table = cuboid("table", Vector3::new(x, y, z))?;
@@ -318,7 +362,7 @@ fn scene_without_task(
     Ok(Scene {
         collisions,
         held,
-        surface: None,
+        place: Place::Around,
     })
 }
 
@@ -348,15 +392,16 @@ fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<S
     })?;
     let surface = &task.task.surface;
     let outline = surface.outline.outer().iter().copied();
+    let known = Bounds2::from_points(outline).map(|bounds| KnownSurface {
+        root_from_surface: cell.world_from_root().inv_mul(&surface.world_from_surface),
+        bounds,
+        name: surface.name.clone(),
+        is_driven_to: cell.base().is_some(),
+    });
     Ok(Scene {
         collisions: cell.collisions().clone(),
         held: cell.ready_posture().to_vec(),
-        surface: Bounds2::from_points(outline).map(|bounds| KnownSurface {
-            root_from_surface: cell.world_from_root().inv_mul(&surface.world_from_surface),
-            bounds,
-            name: surface.name.clone(),
-            is_driven_to: cell.base().is_some(),
-        }),
+        place: known.map_or(Place::Around, Place::Known),
     })
 }
 

@@ -145,7 +145,7 @@ impl<'a> SetupRecord<'a> {
             mobile_base: (proposal.srdf.virtual_joints.first())
                 .map(|base| base.child_link.as_str()),
             counterbalanced: counterbalanced(robot, proposal).collect(),
-            has_room_for_tool: proposal.has_room_for_tool,
+            has_room_for_tool: !proposal.assumed.no_tool,
             pairs: PairsRecord {
                 total: pairs.total,
                 adjacent,
@@ -361,7 +361,7 @@ pub fn describe(
             )));
         }
     }
-    if !proposal.has_room_for_tool {
+    if proposal.assumed.no_tool {
         let advice = "choose another link with --tip, or another tool";
         lines.push((
             "note",
@@ -521,10 +521,15 @@ pub fn next_steps(
     let task = match &args.task {
         Some(task) => path_word(task),
         None if is_mobile(robot, &proposal.arms) => driven.to_owned(),
-        None if is_on_table => fixed.to_owned(),
+        None if is_on_table && !proposal.assumed.hangs => fixed.to_owned(),
         None => {
+            let place = if proposal.assumed.hangs {
+                "above"
+            } else {
+                "in front of"
+            };
             return format!(
-                "next: {check}, then put it in front of the surface of a task with position_m in its [robot] table\n"
+                "next: {check}, then put it {place} the surface of a task with position_m in its [robot] table\n"
             );
         }
     };
