@@ -97,6 +97,41 @@ fn a_task_over_all_patches_is_one_result() {
 }
 
 #[test]
+fn patches_that_are_finished_are_summed_up_after_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    write_task(folder.path(), ", patch = \"all\"");
+    let out = folder.path().join("all");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("patch-2"), "no folder").unwrap();
+    let args = ["predict", "saddle.toml", "--out", "all", "--json"];
+    let (code, printed, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("patch 2 of 2"), "{err}");
+    let earlier = "all holds results of an earlier command too: patch-2";
+    assert!(err.contains(earlier), "{err}");
+    let all: Value = serde_json::from_str(&printed).unwrap();
+    assert_eq!(all["patches"].as_array().unwrap().len(), 1);
+    assert_eq!(
+        (&all["patch_count"], &all["goal_met"]),
+        (&2.into(), &false.into())
+    );
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("href=\"patch-1/report.html\""), "{page}");
+    assert!(!page.contains("href=\"patch-2/report.html\""), "{page}");
+    // An error on the first patch leaves nothing to sum up.
+    fs::remove_dir_all(out.join("patch-1")).unwrap();
+    fs::remove_file(out.join("report.html")).unwrap();
+    fs::write(out.join("patch-1"), "no folder").unwrap();
+    let (code, printed, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        printed.starts_with("{\"error\":\"patch 1 of 2: "),
+        "{printed}"
+    );
+    assert!(!out.join("report.html").exists());
+}
+
+#[test]
 fn what_is_for_one_patch_is_refused_for_all() {
     let folder = tempfile::tempdir().unwrap();
     let refused = |args: &[&str], expected: &str| {

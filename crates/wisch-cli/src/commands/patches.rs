@@ -4,6 +4,7 @@ use super::prepare::{load, stage_failure};
 use super::words::{counted, internal, percent};
 use crate::args::TaskArgs;
 use crate::failure::Failure;
+use crate::terminal::remark;
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
@@ -266,6 +267,26 @@ impl PatchesSummary {
             add("seams", note.to_owned());
         }
         facts
+    }
+}
+
+/// Names the results of an earlier command in the folder, which do not belong to those of the first patches.
+pub(super) fn remark_earlier_patches(out: &Path, wiped: usize) {
+    let entries = std::fs::read_dir(out).into_iter().flatten().flatten();
+    let mut earlier: Vec<usize> = entries
+        .filter_map(|entry| {
+            let number = entry.file_name().to_str()?.strip_prefix("patch-")?.parse();
+            number.ok().filter(|number| *number > wiped)
+        })
+        .collect();
+    earlier.sort_unstable();
+    if !earlier.is_empty() {
+        let names = earlier.iter().map(|number| format!("patch-{number}"));
+        let names = names.collect::<Vec<_>>().join(", ");
+        remark(&format!(
+            "{} holds results of an earlier command too: {names}",
+            out.display()
+        ));
     }
 }
 

@@ -101,7 +101,7 @@ fn page_of(folder: &Path) -> Result<String, Failure> {
         folder.display()
     ))
     .with_help(
-        "an older version of wisch wrote it; make the page of its log with wisch report LOG --task FILE",
+        "wisch run and wisch interpret write them, wisch plan and wisch follow do not; make the page of a log with wisch report LOG --task FILE",
     ))
 }
 

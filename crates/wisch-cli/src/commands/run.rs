@@ -6,7 +6,7 @@ use super::follow::{Chosen, read_robot};
 use super::interrupt::{is_stop_requested, pause_on_signal, stop_on_signal};
 use super::job::Job;
 use super::out_folder::out_folder;
-use super::patches::{PatchesSummary, TaskPatches};
+use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
@@ -224,22 +224,28 @@ fn work_on_patches(
     }
     let count = tasks.len();
     let (mut summaries, mut are_met) = (Vec::new(), true);
+    let mut broken = None;
     for (task_args, number) in tasks.iter().zip(1..) {
         let of_patch = ResultArgs {
             out: Some(out.join(format!("patch-{number}"))),
             force: results.force,
             json: results.json,
         };
-        let done = work_on_surface(task_args, &of_patch, None, extent, global, &|_| Ok(()))
-            .map_err(|failure| {
-                if number > 1 {
-                    let place = out.display();
-                    remark(&format!(
-                        "the patches before it are finished and kept in {place}"
-                    ));
+        let done = match work_on_surface(task_args, &of_patch, None, extent, global, &|_| Ok(())) {
+            Ok(done) => done,
+            Err(failure) => {
+                let failure = failure.after(&format!("patch {number} of {count}"));
+                if summaries.is_empty() {
+                    return Err(failure);
                 }
-                failure.after(&format!("patch {number} of {count}"))
-            })?;
+                let place = out.display();
+                remark(&format!(
+                    "the patches before it are finished and kept in {place}"
+                ));
+                broken = Some(failure);
+                break;
+            }
+        };
         are_met &= done.is_met;
         summaries.push(done.summary);
         if done.is_stopped || is_stop_requested() {
@@ -253,6 +259,7 @@ fn work_on_patches(
         }
     }
     are_met &= summaries.len() == count;
+    remark_earlier_patches(&out, summaries.len());
     let place = out.display().to_string();
     let summary = PatchesSummary::new(&first.task.name, summaries, count, are_met, place);
     if results.json {
@@ -262,7 +269,7 @@ fn work_on_patches(
     }
     let page = summary.page(&atlas);
     OutputFile::begin(&out.join(REPORT_FILE))?.finish(page.as_bytes())?;
-    Ok(are_met)
+    broken.map_or(Ok(are_met), Err)
 }
 
 /// Works on one surface, and prints its summary for people. `summarised` receives the summary as soon as it is complete.
