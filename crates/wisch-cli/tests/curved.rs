@@ -122,7 +122,17 @@ fn check_and_plan_state_which_share_of_a_rigid_tool_touches() {
 #[test]
 fn a_run_on_a_cylinder_keeps_its_shape() {
     let folder = folder();
-    let words = ["run", "--rounds", "1", "--seed", "1", "--out", "out"];
+    let words = [
+        "run",
+        "--strategy",
+        "kde",
+        "--rounds",
+        "1",
+        "--seed",
+        "1",
+        "--out",
+        "out",
+    ];
     let done = wisch(folder.path(), &words, Some("2.0"));
     assert!(
         matches!(done.status.code(), Some(0 | 1)),
@@ -195,8 +205,8 @@ fn a_run_on_a_cone_reaches_its_goal() {
         "task.toml",
         "--seed",
         "1",
-        "--budget",
-        "5000",
+        "--strategy",
+        "kde",
         "--out",
         "out",
     ];

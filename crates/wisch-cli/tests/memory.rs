@@ -323,7 +323,7 @@ fn on_a_full_disk_the_results_are_kept_and_of_the_episode_what_can_be() {
     for size in ["256k", "4m"] {
         let script = format!(
             "mount -t tmpfs -o size={size} tmpfs disk
-             $0 run task.toml --rounds 1 --out disk/out --memory kept-{size}; echo code $?
+             $0 run task.toml --rounds 1 --set \"strategy='kde'\" --out disk/out --memory kept-{size}; echo code $?
              $0 memory verify --memory kept-{size}"
         );
         let output = Command::new("unshare")
