@@ -237,6 +237,12 @@ pub async fn push(args: &PushArgs) -> Result<Outcome, FleetError> {
 
 /// Pulls episodes.
 pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
+    if let (Some(since), Some(until)) = (args.since, args.until)
+        && until < since
+    {
+        let problem = "--until is before --since, so that no episode matches; exchange them";
+        return Err(FleetError::Asked(problem.to_owned()));
+    }
     let place = StorePlace::open(&args.url)?;
     let memory = Memory::create(&args.memory)?;
     let filter = Filter {

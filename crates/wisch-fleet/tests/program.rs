@@ -246,6 +246,15 @@ fn a_pull_that_leaves_an_episode_out_has_exit_code_1() {
         message.contains("\"selected\":2") && message.contains("\"episodes\":1"),
         "{message}"
     );
+    // Times in the wrong order are refused before anything is written.
+    let elsewhere = folder.path().join("elsewhere");
+    let mut pull = program();
+    pull.arg("pull").arg(&fleet).arg(&elsewhere);
+    let output = run(pull.args(["--since", "2026-11-02", "--until", "2026-11-01"]));
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("--until is before --since"), "{message}");
+    assert!(!elsewhere.exists());
     assert_eq!(
         Memory::open(&there).unwrap().episodes().unwrap(),
         [records[1].id.clone()]
