@@ -294,6 +294,9 @@ fn work_on_surface(
     let given = plan_file
         .map(|path| given_plan(path, &mut prepared))
         .transpose()?;
+    if chosen.is_none() && given.is_none() {
+        remark_unweighed(&prepared);
+    }
     let out = out_folder(
         results,
         &prepared.task.name,
@@ -368,6 +371,15 @@ fn work_on_surface(
         summary,
         is_stopped: is_interrupted || is_stopped(&results_of),
     })
+}
+
+/// States that plans are compared without the task's robot, where another command compares them with it.
+fn remark_unweighed(prepared: &LoadedTask) {
+    if prepared.run.plan.strategy == Strategy::Best && prepared.file.robot.is_some() {
+        remark(
+            "strategy best compares plans without the robot's execution times here; wisch plan, follow and run with the robot include them, and may choose another plan",
+        );
+    }
 }
 
 /// Checks that a resumed run has a robot, as the killed run had.
