@@ -1,5 +1,6 @@
 // One round: plan, measurements and results.
 import { Column, PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
+import { capitalise } from "./dom.ts";
 import { trackParticles, trackValues, type ParticleTrack, type ValueTrack } from "./particles.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
@@ -55,10 +56,17 @@ export interface Happening extends Omit<EventRecord, "by_hand"> {
   round: number;
 }
 
-/** Returns the kind of an event in which somebody or something acts on the robot; null for other events. Files call a push a
- * collision. */
-export const pushOf = ({ kind, by_hand }: EventRecord): "push" | "hand guiding" | null =>
-  /guiding/i.test(kind) ? "hand guiding" : by_hand || /collision/i.test(kind) ? "push" : null;
+/** A force that does not come from wiping. It shows neither who pushed nor whether the robot struck something, though files call
+ * it a collision. */
+export const PUSH = "push or collision";
+
+/** Returns a title in which a collision is called what the page calls it everywhere. */
+export const namePushes = (title: string): string =>
+  title.replace(/\b(?:human )?collision(s?)\b/i, (_, many, at) => (many ? "pushes or collisions" : at ? PUSH : capitalise(PUSH)));
+
+/** Returns the kind of an event in which somebody or something acts on the robot; null for other events. */
+export const pushOf = ({ kind, by_hand }: EventRecord): typeof PUSH | "hand guiding" | null =>
+  /guiding/i.test(kind) ? "hand guiding" : by_hand || /collision/i.test(kind) ? PUSH : null;
 
 export class Round {
   readonly number: number;

@@ -8,8 +8,8 @@ import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
-import { pushOf, type Round } from "./round.ts";
-import { SAME_S, type Recording } from "./store.ts";
+import { namePushes, type Round } from "./round.ts";
+import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
 import { LOGGED, stateOf } from "./words.ts";
 
@@ -36,12 +36,9 @@ function makeCommand(command: string): HTMLElement {
   return el("div", { class: "w-command" }, el("code", {}, command), copy);
 }
 
-/** Returns what did not go as planned in a round: what its recording states, in which stated pushes say so, and a truth that the estimate misses. */
+/** Returns what did not go as planned in a round: what its recording states, and a truth that the estimate misses. */
 export function findIncidents(round: Round): IncidentRecord[] {
-  const stated = (round.interpreted?.incidents ?? []).map((incident) => {
-    const isPush = round.events.some((event) => pushOf(event) === "push" && incident.time !== null && Math.abs(event.start - incident.time) < SAME_S);
-    return isPush && !/push|human/i.test(incident.title) ? { ...incident, evidence: `Somebody or something pushed the robot. ${incident.evidence}` } : incident;
-  });
+  const stated = (round.interpreted?.incidents ?? []).map((incident) => ({ ...incident, title: namePushes(incident.title) }));
   if (!isTruthOutside(round)) return stated;
   return [...stated, {
     time: null, title: "The ground truth lies outside the interval of the estimate",

@@ -28,7 +28,7 @@ const LISTED: Record<keyof Layers, [label: string, has: (recording: Recording) =
   rejected: ["Rejected plan, chosen in its table", ({ rounds }) => rounds.some(({ plan }) => plan.another || plan.considered?.some(({ lines }) => lines?.length))],
   bases: ["Rated base poses", ({ rounds }) => rounds.some(({ plan }) => plan.bases?.poses.length)],
   force: ["Force", ({ rounds }) => rounds.some(({ count }) => count)],
-  events: ["Events, force at pushes", ({ happenings }) => happenings.length],
+  events: ["Events, force at pushes or collisions", ({ happenings }) => happenings.length],
   found: ["Surface found by touch", ({ rounds }) => rounds.some(({ interpreted }) => interpreted?.found)],
   actualSurface: ["True surface", ({ rounds }) => rounds.some(({ truth }) => truth?.surface)],
   collision: ["Collision shapes", ({ head }) => head?.robot?.links.some((link) => collisionOf(link).length)],

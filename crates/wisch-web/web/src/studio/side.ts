@@ -118,7 +118,7 @@ export class Side {
   private makeEpisode(one: Listed): HTMLElement {
     const { performance, low, high, rounds, collisions } = one;
     const facts = [formatHour(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
-    if (collisions) facts.push(`${collisions} ${collisions === 1 ? "push" : "pushes"}`);
+    if (collisions) facts.push(`${collisions} ${collisions === 1 ? "push or collision" : "pushes or collisions"}`);
     if (!one.has_recording) facts.push("no recording");
     if (one.verdict && !one.met) facts.push(one.verdict);
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";

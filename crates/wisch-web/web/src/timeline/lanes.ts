@@ -3,7 +3,7 @@ import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
 import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
-import type { Happening, Round } from "../round.ts";
+import { PUSH, type Happening, type Round } from "../round.ts";
 import type { Recording } from "../store.ts";
 
 export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
@@ -102,7 +102,7 @@ export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from:
 
 /** Returns the name of an event's colour. */
 export const eventColour = ({ source, kind }: Happening): string =>
-  source === "push" ? "actual" : kind === "push" ? "collision" : kind === "hand guiding" ? "hand" : "event";
+  source === "push" ? "actual" : kind === PUSH ? "collision" : kind === "hand guiding" ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   fillLane(pen, frame, lane);
