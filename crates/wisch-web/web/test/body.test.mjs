@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { MeshBasicMaterial, Vector3 } from "three";
+import { MeshBasicMaterial, NotEqualStencilFunc, Vector3 } from "three";
 import { makeBody } from "../src/scene/body.ts";
 import { Robot, collisionOf, makeGhost } from "../src/scene/robot.ts";
 import { distanceTo } from "../src/scene/shell.ts";
@@ -81,16 +81,15 @@ for (const head of heads) {
   });
 }
 
-test("of a ghost only the nearest parts are drawn, after all else", () => {
+test("ghosts are drawn one after the other, after all else, and hide nothing but their own parts", () => {
   const [head] = heads;
   const shared = new Robot(head, head.meshes, materials);
-  const ghost = makeGhost(head, head.meshes, shared, "#ff0000", null, head.robot.variables.map(() => 0), null);
-  const passes = ghost.children.map((pass) => {
+  const looks = [0, 1].map((i) => {
     const meshes = [];
-    pass.traverse((one) => { if (one.isMesh) meshes.push(one); });
-    return [...new Set(meshes.map(({ material, renderOrder, geometry }) => JSON.stringify([material.colorWrite, material.depthWrite, material.transparent, renderOrder, Boolean(geometry)])))];
+    makeGhost(head, head.meshes, shared, "#ff0000", i, null, head.robot.variables.map(() => 0), null).traverse((one) => { if (one.isMesh) meshes.push(one); });
+    return [...new Set(meshes.map(({ material, renderOrder }) => JSON.stringify([material.transparent, material.depthWrite, material.stencilFunc === NotEqualStencilFunc, material.stencilRef, renderOrder])))];
   });
-  assert.deepEqual(passes, [["[false,true,true,10,true]"], ["[true,false,true,11,true]"]]);
+  assert.deepEqual(looks, [["[true,false,true,1,10]"], ["[true,false,true,2,11]"]]);
 });
 
 test("a link that ends in one capsule is no hand, unless it holds the tool or is the other arm's end", () => {

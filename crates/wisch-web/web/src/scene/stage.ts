@@ -254,10 +254,10 @@ export class Stage {
     this.ghosts.clear();
     const { head, meshes } = this.recording;
     if (!head || !this.robot) return;
-    for (const { time, color } of this.shown.ghosts) {
+    for (const [i, { time, color }] of this.shown.ghosts.entries()) {
       const instant = this.recording.at(time);
       if (!instant) continue;
-      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), instant.round.plan.root, instant.q, instant.tool));
+      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), i, instant.round.plan.root, instant.q, instant.tool));
     }
   }
 
