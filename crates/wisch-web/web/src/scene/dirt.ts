@@ -1,11 +1,10 @@
 // Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
 import { BufferAttribute, Group } from "three";
-import { colour } from "../theme.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
 import { drawTexture, makeDots, type Dots } from "./dots.ts";
 import { GRAIN_M, Grains, formOf } from "./grains.ts";
-import { placeAt } from "./solids.ts";
+import { placeAt, tint } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend, Instant, Outcome, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
@@ -32,14 +31,13 @@ export class Dirt {
   constructor() {
     this.points = Object.fromEntries(MARKS.map((mark) => {
       const points = makeDots([], drawTexture(DRAW[mark]), SIZE[mark], { nearer: 0.99, alphaTest: 0.15, renderOrder: 2 + MARKS.indexOf(mark) });
+      tint(points.material, mark);
       this.group.add(points);
       return [mark, points];
     })) as Dirt["points"];
-    this.paint();
   }
 
   paint(): void {
-    for (const mark of MARKS) this.points[mark].material.color.set(colour(mark));
     this.grains?.paint();
   }
 

@@ -95,11 +95,6 @@ export class GrowingSegments {
     this.line.visible = shown > 0;
   }
 
-  dispose(): void {
-    this.line.geometry.dispose();
-    this.line.material.dispose();
-  }
-
   private upload(): void {
     this.changed = false;
     const { geometry } = this.line;

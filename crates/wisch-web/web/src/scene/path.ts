@@ -56,11 +56,6 @@ export class Path {
     this.ribbon.paint();
   }
 
-  dispose(): void {
-    this.lines.dispose();
-    this.ribbon.dispose();
-  }
-
   /** Returns the ends of the path's segments between two times. */
   between(from: number, to: number): number[] {
     const ends: number[] = [];

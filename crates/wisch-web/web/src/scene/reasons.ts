@@ -7,18 +7,17 @@ import type { Places, RatedBases, RoundPiece } from "../recording.ts";
 import { liftLine } from "./bend.ts";
 import { drawTexture } from "./dots.ts";
 import { LineMaterial, chain, segments, setSegments } from "./lines.ts";
-import { disposeAll, placeAt, shiftDepth } from "./solids.ts";
+import { disposeAll, placeAt, shiftDepth, tint } from "./solids.ts";
 import { ABOVE, corners } from "./surface.ts";
 
 export class RejectedStrokes {
   readonly group = new Group();
   /** Lines, and a rim that sets them off from what lies below. */
-  private readonly lines = ["paper", "rejected"].map((name, i) => segments([], Object.assign(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), { name })));
+  private readonly lines = ["paper", "rejected"].map((name, i) => segments([], tint(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), name)));
   private shown: readonly Places[] | null = null;
 
   constructor() {
     this.group.add(...this.lines);
-    this.paint();
   }
 
   /** Number of drawn strokes, for measurements. */
@@ -34,10 +33,6 @@ export class RejectedStrokes {
     placeAt(this.group, pose);
     const ends = lines.flatMap((line) => chain(liftLine(shape, corners(line, 2.5 * ABOVE), false), false));
     for (const line of this.lines) setSegments(line, ends);
-  }
-
-  paint(): void {
-    for (const { material } of this.lines) material.color.set(colour(material.name));
   }
 }
 

@@ -122,11 +122,6 @@ export class Ribbon {
     for (let i = 0; i < this.times.length; i++) this.colour(i);
   }
 
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
-
   private isLit(i: number): boolean {
     const [from, to] = this.selected ?? [-Infinity, Infinity];
     return this.times.data[i]! >= from && this.times.data[i]! <= to;

@@ -1,11 +1,10 @@
 // The 3-D scene at the time of the clock, drawn only when something changes.
 import {
-  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
+  AmbientLight, Box3, DirectionalLight, GridHelper, Group, HemisphereLight, LineBasicMaterial, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  MeshStandardMaterial, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
-import type { BufferGeometry } from "three";
 import { Asked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
 import { Dirt, type Mark } from "./dirt.ts";
@@ -18,6 +17,7 @@ import { Axes, hexOr, Path, Trajectories, type ShownFrame, type Trajectory } fro
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
 import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
+import { disposeAll, paint, release, tint } from "./solids.ts";
 import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
@@ -86,7 +86,7 @@ export class Stage {
   private readonly entered = new Map<Round, NonNullable<Stage["current"]>>();
   private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
-  private readonly highlights = segments([], new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }));
+  private readonly highlights = segments([], tint(new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }), "highlight"));
   private readonly trajectories = new Trajectories();
   private readonly axes = new Axes();
   private readonly dirt = new Dirt();
@@ -249,9 +249,7 @@ export class Stage {
   }
 
   private makeGhosts(): void {
-    // The geometries are those of the robot.
-    this.ghosts.traverse((part) => { if (part instanceof Mesh) (part.material as Material).dispose(); });
-    this.ghosts.clear();
+    disposeAll(this.ghosts);
     const { head, meshes } = this.recording;
     if (!head || !this.robot) return;
     for (const [i, { time, color }] of this.shown.ghosts.entries()) {
@@ -265,13 +263,10 @@ export class Stage {
     for (const [part, name] of Object.entries(ROBOT_COLOURS)) (this.materials[part as keyof typeof ROBOT_COLOURS] as MeshStandardMaterial).color.set(colour(name));
     this.painter.paint();
     this.showData(this.shown);
-    this.highlights.material.color.set(colour("highlight"));
-    if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    paint(this.scene);
     this.dirt.paint();
-    this.force.paint();
-    this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
-      still.paint();
+      paint(still.group);
       path.paint();
     }
     this.ask();
@@ -286,10 +281,7 @@ export class Stage {
   destroy(): void {
     frames.drop(this.moved);
     this.camera.controls.dispose();
-    for (const { still, path } of this.entered.values()) {
-      still.dispose();
-      path.dispose();
-    }
+    for (const { still, path } of this.entered.values()) for (const one of [still.group, path.object]) release(one);
     this.painter.destroy();
   }
 
@@ -342,8 +334,7 @@ export class Stage {
     for (const [oldest, { still, path }] of this.entered) {
       if (this.entered.size <= KEPT_ROUNDS) break;
       this.entered.delete(oldest);
-      still.dispose();
-      path.dispose();
+      for (const one of [still.group, path.object]) release(one);
     }
     this.current = kept;
     this.scene.add(kept.still.group, kept.path.object);
@@ -398,8 +389,7 @@ export class Stage {
     this.grid = new GridHelper(cells / 2, cells);
     this.grid.rotation.x = Math.PI / 2;
     this.grid.position.set(Math.round(center.x), Math.round(center.y), 0);
-    Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 });
-    (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    tint(Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 }) as LineBasicMaterial, "rule");
     this.ground.scale.setScalar(cells / 2);
     this.ground.position.set(this.grid.position.x, this.grid.position.y, -0.001);
     this.ground.receiveShadow = true;
@@ -419,9 +409,7 @@ export class Stage {
     sky.position.set(0, 0, 1);
     this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));
     for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
-      const material = new LineMaterial({ linewidth: 2.5 });
-      material.color.set(colour(name));
-      this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], material));
+      this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], tint(new LineMaterial({ linewidth: 2.5 }), name)));
     }
   }
 }
