@@ -59,7 +59,7 @@ async function openStudio(hash, overview, recordings, answers, viewport = { widt
 }
 
 const overviewOf = (episodes) => ({ memory: "m", list: { episodes, total: episodes.length, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } });
-const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", collisions: 0, has_recording: true, ...more });
+const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", target: 0.85, round_starts: [0], events: [], has_recording: true, ...more });
 
 const time = (page) => page.evaluate(() => wisch.view.clock.time);
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -937,7 +937,7 @@ const cases = {
 
   async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
     const id = "20261122-010000-abcd";
-    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", collisions: 2 })]), { [id]: whole }, null, { width: 3840, height: 2160 });
+    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", events: [{ class: "HumanCollision", start: 0.2, end: 0.3, count: 2 }] })]), { [id]: whole }, null, { width: 3840, height: 2160 });
     await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
     const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
     assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
@@ -949,7 +949,8 @@ const cases = {
     await page.mouse.click(box.x + zoom * 112 + 0.5 * (box.width - zoom * (112 + 22)), box.y + 60);
     const { duration, at } = await page.evaluate(() => ({ duration: wisch.recording?.duration ?? wisch.stage.shown[0].recording.duration, at: wisch.stage.time }));
     near(at, 0.5 * duration, 0.1);
-    assert.match(await page.locator(".s-list .s-what").innerText(), /2 pushes or collisions \u00b7 no progress$/);
+    assert.match(await page.locator(".s-list .s-what").innerText(), /2\u00a0\u00d7\u00a0push or collision \u00b7 no progress$/);
+    assert.equal(await page.locator(".s-strip .s-time title").textContent(), "2 \u00d7 push or collision, 0.2 s to 0.3 s");
     if (pictures) await page.screenshot({ path: join(pictures, "studio-large.png") });
     assert.deepEqual(complaints, []);
     await page.close();

@@ -2,6 +2,7 @@
 import { el, fixed, percent, say } from "../dom.ts";
 import { goalState } from "../words.ts";
 import { clearRun, type Listed, type LiveRun, type Overview } from "./server.ts";
+import { describeEvents, makeStrip } from "./strip.ts";
 import { write } from "./address.ts";
 
 /** Time without typing until the search starts [ms]. */
@@ -116,9 +117,9 @@ export class Side {
   }
 
   private makeEpisode(one: Listed): HTMLElement {
-    const { performance, low, high, rounds, collisions } = one;
+    const { performance, low, high, rounds } = one;
     const facts = [formatHour(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
-    if (collisions) facts.push(`${collisions} ${collisions === 1 ? "push or collision" : "pushes or collisions"}`);
+    if (one.events.length) facts.push(describeEvents(one));
     if (!one.has_recording) facts.push("no recording");
     if (one.verdict && !one.met) facts.push(one.verdict);
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";
@@ -126,6 +127,7 @@ export class Side {
       el("span", { class: "s-title" }, el("span", {}, one.title),
         performance === null ? null : el("b", { title: `estimated performance${interval}` }, percent(performance)),
         badge(one)),
+      makeStrip(one),
       el("span", { class: "s-what" }, facts.join(" \u00b7 "))));
   }
 }
