@@ -188,7 +188,7 @@ export class Recording {
   get now(): number {
     const last = this.rounds.at(-1);
     if (!last || !this.live || last.interpreted || last.plan.kind === "planned") return this.duration;
-    return last.start + (last.count ? last.t.last : 0);
+    return last.start + (last.count ? last.t.at(-1)! : 0);
   }
 
   /** Returns the round at a time of the common clock; the later one at a boundary. */

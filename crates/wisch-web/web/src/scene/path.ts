@@ -1,6 +1,6 @@
 // The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
 import { Color, Group, Vector3 } from "three";
-import { Column, lastAtMost } from "../columns.ts";
+import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { dotTexture, makeDots, type Dots } from "./dots.ts";
 import { normalUnder } from "./bend.ts";
@@ -31,7 +31,7 @@ export class Path {
   readonly object = new Group();
   readonly ribbon: Ribbon;
   private readonly lines = new GrowingSegments(3, palette());
-  private readonly times = new Column(true);
+  private readonly times: number[] = [];
   private taken = 0;
   private step = STEP_M;
   private last: Vector3 | null = null;
@@ -46,7 +46,7 @@ export class Path {
 
   show(time: number, layers: { path: boolean; ribbon: boolean }): void {
     this.grow();
-    const shown = lastAtMost(this.times.data, time, this.times.length) + 1;
+    const shown = lastAtMost(this.times, time) + 1;
     this.lines.show(layers.path ? shown : 0);
     this.ribbon.show(time, layers.ribbon);
   }
@@ -62,7 +62,7 @@ export class Path {
     const { round } = this;
     const step = Math.max(1, Math.floor(round.count / 20000));
     let before: Vector3 | null = null;
-    for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t.data[i]! <= to; i += step) {
+    for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t[i]! <= to; i += step) {
       const { place } = this.place(i);
       if (before) ends.push(...before.toArray(), ...place.toArray());
       before = place;
@@ -74,19 +74,18 @@ export class Path {
    * of several; null beyond `within` [pixels]. */
   nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number, pressed: boolean): number | null {
     let [best, time] = [within ** 2, null as number | null];
-    for (let k = 0; k < this.times.length && this.times.data[k]! <= until; k++) {
-      if (pressed && !this.round.isPressed(this.times.data[k]!)) continue;
+    for (let k = 0; k < this.times.length && this.times[k]! <= until; k++) {
+      if (pressed && !this.round.isPressed(this.times[k]!)) continue;
       const at = toScreen(this.lines.end(k));
       const away = (at.x - x) ** 2 + (at.y - y) ** 2;
-      if (away <= best) [best, time] = [away, this.times.data[k]!];
+      if (away <= best) [best, time] = [away, this.times[k]!];
     }
     return time;
   }
 
   /** Returns the place of the tool at a sample, slightly over it, and the normal of the surface there. */
   private place(i: number): { place: Vector3; normal: Vector3 } {
-    const { data } = this.round.tool;
-    const place = new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!);
+    const place = new Vector3().fromArray(this.round.tool, 7 * i);
     const normal = normalUnder(this.round.plan.surface, place);
     return { place: place.addScaledVector(normal, 1.5 * ABOVE), normal };
   }
@@ -97,7 +96,7 @@ export class Path {
     const height = round.height.data[i]!;
     const foot = Number.isFinite(height) ? place.clone().addScaledVector(normal, -height) : place;
     const reference = round.target ?? Math.max(REFERENCE_N, round.normal.largest);
-    this.ribbon.push(round.t.data[i]!, foot, normal, round.normal.data[i]!, { step, reference });
+    this.ribbon.push(round.t[i]!, foot, normal, round.normal.data[i]!, { step, reference });
   }
 
   private restart(): void {
@@ -116,7 +115,7 @@ export class Path {
     const settled = round.over || round.interpreted ? round.count : round.count - LEAST_SAMPLES + 1;
     while (this.taken < settled) {
       const i = this.taken++;
-      const time = round.t.data[i]!;
+      const time = round.t[i]!;
       const at = this.place(i);
       const { place } = at;
       if (!Number.isFinite(place.x + place.y + place.z)) continue;

@@ -42,10 +42,10 @@ export function contactWay({ rounds }: Recording): number | null {
   if (!rounds.some(({ count }) => count)) return null;
   let way = 0;
   for (const round of rounds) {
-    const { data } = round.tool;
+    const { tool } = round;
     for (let i = 1; i < round.count; i++) {
-      const step = Math.hypot(...[0, 1, 2].map((k) => data[7 * i + k]! - data[7 * i - 7 + k]!));
-      if (Number.isFinite(step) && round.contactAt(round.t.data[i]!) === "contact") way += step;
+      const step = Math.hypot(...[0, 1, 2].map((k) => tool[7 * i + k]! - tool[7 * i - 7 + k]!));
+      if (Number.isFinite(step) && round.contactAt(round.t[i]!) === "contact") way += step;
     }
   }
   return way;
@@ -105,7 +105,7 @@ export function envelopeOf(recording: Recording, of: (round: Round) => PlotColum
   return Array.from({ length: count }, (_, k) => {
     const [from, to] = [(k * duration) / count, ((k + 1) * duration) / count];
     const round = recording.roundAt(from);
-    if (!round?.count || from > round.start + round.t.last) return null;
+    if (!round?.count || from > round.start + round.t.at(-1)!) return null;
     const first = round.place(from - round.start)[0];
     return of(round).range(first, Math.max(first, round.place(to - round.start)[0]) + 1);
   });

@@ -91,7 +91,7 @@ function drawPushed(pen: Pen, lane: Lane, [from, to]: [number, number]): void {
 export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
   if (!round.count) return;
   const first = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start)));
-  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.last));
+  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.at(-1)!));
   let from = round.place(frame.t(first) - round.start)[0];
   for (let x = first; x <= last; x++) {
     const to = round.place(frame.t(x + 1) - round.start)[0];

@@ -64,7 +64,7 @@ function drawSamples(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y
   for (let i = from; i < to; i++) {
     const value = column.data[i]!;
     if (!Number.isFinite(value)) { down = false; continue; }
-    const x = frame.x(round.start + round.t.data[i]!);
+    const x = frame.x(round.start + round.t[i]!);
     if (down) pen.lineTo(x, y(value));
     else pen.moveTo(x, y(value));
     down = true;
