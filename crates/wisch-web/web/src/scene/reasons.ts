@@ -20,11 +20,6 @@ export class RejectedStrokes {
     this.group.add(...this.lines);
   }
 
-  /** Number of drawn strokes, for measurements. */
-  get count(): number {
-    return this.group.visible ? this.shown?.length ?? 0 : 0;
-  }
-
   /** Shows strokes over a surface; null hides them. */
   show(lines: readonly Places[] | null, { pose, shape }: RoundPiece["surface"]): void {
     this.group.visible = lines !== null;

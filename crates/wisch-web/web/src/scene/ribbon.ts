@@ -111,25 +111,16 @@ export class Ribbon {
     for (let i = 0; i < this.times.length; i++) this.colour(i);
   }
 
-  /** Number of drawn segments, and how many of them are lit, for measurements. */
-  get counts(): { drawn: number; lit: number } {
-    const drawn = this.mesh.visible ? this.mesh.geometry.drawRange.count / 6 : 0;
-    return { drawn, lit: Array.from({ length: drawn }, (_, i) => i).filter((i) => this.isLit(i)).length };
-  }
-
   paint(): void {
     this.palette = [...FORCES.map((degree) => degree.colour), "contact"].map((name) => new Color(colour(name)));
     for (let i = 0; i < this.times.length; i++) this.colour(i);
   }
 
-  private isLit(i: number): boolean {
-    const [from, to] = this.selected ?? [-Infinity, Infinity];
-    return this.times[i]! >= from && this.times[i]! <= to;
-  }
-
   private colour(i: number): void {
     const { r, g, b } = this.palette[this.degrees[i]!]!;
-    for (let k = 0; k < 4; k++) this.colours.setXYZW(4 * i + k, r, g, b, this.isLit(i) ? 1 : FADED);
+    const [from, to] = this.selected ?? [-Infinity, Infinity];
+    const opacity = this.times[i]! >= from && this.times[i]! <= to ? 1 : FADED;
+    for (let k = 0; k < 4; k++) this.colours.setXYZW(4 * i + k, r, g, b, opacity);
     this.colours.needsUpdate = true;
   }
 }

@@ -120,11 +120,6 @@ export class Robot {
     for (const mesh of this.collision) mesh.visible = shown;
   }
 
-  /** Number of triangles of the robot and its tool, without collision shapes. */
-  get triangles(): number {
-    return [this.tool.geometry, ...this.parts.flat().map(({ geometry }) => geometry)].reduce((sum, { index, attributes }) => sum + (index?.count ?? attributes.position!.count) / 3, 0);
-  }
-
   /** Place in the order in which things are drawn: what is translucent comes after what lies behind it. */
   set order(order: number) {
     for (const mesh of [this.tool, ...this.links.flatMap(({ children }) => children)]) mesh.renderOrder = order;

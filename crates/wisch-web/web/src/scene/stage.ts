@@ -111,16 +111,6 @@ export class Stage {
   /** Is called after each frame, while the canvas still has it. */
   onDrawn: (() => void) | null = null;
 
-  /** Number of drawn ghosts, for measurements. */
-  get ghostCount(): number {
-    return this.ghosts.children.length;
-  }
-
-  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses, for measurements. */
-  get reasons(): { stroke: number | null; rejected: number; bases: number } {
-    return { stroke: this.chosenNow?.stroke ?? null, rejected: this.rejected.count, bases: this.bases.places.length };
-  }
-
   /** `left` is called when the camera stops following because a user moves it. */
   constructor(readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
     this.painter = new Painter(canvas);
@@ -230,11 +220,6 @@ export class Stage {
     this.selected = interval;
     this.lightRibbon();
     this.ask();
-  }
-
-  /** Number of drawn and of lit segments of the force along the path, for measurements. */
-  get ribbon(): { drawn: number; lit: number } {
-    return this.current?.path.ribbon.counts ?? { drawn: 0, lit: 0 };
   }
 
   /** Shows data of a query instead of those before. */
