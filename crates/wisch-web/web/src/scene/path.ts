@@ -1,5 +1,5 @@
 // The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
-import { Color, Group, Vector3 } from "three";
+import { Color, Group, Vector3, type Object3D } from "three";
 import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { dotTexture, makeDots, type Dots } from "./dots.ts";
@@ -7,7 +7,7 @@ import { normalUnder } from "./bend.ts";
 import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
-import { disposeAll, matrix } from "./solids.ts";
+import { matrix, tint } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import { LEAST_SAMPLES, type Contact, type Round } from "../round.ts";
 
@@ -161,42 +161,26 @@ const TRACK_COLOURS = 6;
 /** Returns the name of the i-th default colour. */
 export const trackName = (i: number): string => `track-${(i % TRACK_COLOURS) + 1}`;
 
-export class Trajectories {
-  readonly group = new Group();
+/** Makes the lines of queried trajectories, with dots at their samples. */
+export const makeTrajectories = (list: readonly Trajectory[]): Object3D[] => list.flatMap(({ points, samples, color }, i) => {
+  // Drawn after the translucent highlight of the same path, and nearer than that path.
+  const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
+  material.color.set(safeColour(color, i));
+  const line = segments(chain(points, false), material);
+  line.renderOrder = 6;
+  return samples?.length ? [line, dots(samples, safeColour(color, i))] : [line];
+});
 
-  show(list: Trajectory[]): void {
-    disposeAll(this.group);
-    list.forEach(({ points, samples, color }, i) => {
-      // Drawn after the translucent highlight of the same path, and nearer than that path.
-      const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
-      material.color.set(safeColour(color, i));
-      const line = segments(chain(points, false), material);
-      line.renderOrder = 6;
-      this.group.add(line);
-      if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
-    });
-  }
-}
-
-/** Axes of queried frames, each with a dot at its origin in the colour of the query. */
-export class Axes {
-  readonly group = new Group();
-
-  show(list: ShownFrame[]): void {
-    disposeAll(this.group);
-    for (const { pose, color } of list) {
-      const worldFromFrame = matrix(pose);
-      const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
-      for (const [k, name] of (["axis-x", "axis-y", "axis-z"] as const).entries()) {
-        const material = new LineMaterial({ linewidth: 3.5 });
-        material.color.set(colour(name));
-        const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
-        this.group.add(segments([...origin, ...end], material));
-      }
-      this.group.add(dots([origin], hexOr(color, colour("axis-z"))));
-    }
-  }
-}
+/** Makes the axes of queried frames, each with a dot at its origin in the colour of the query. */
+export const makeAxes = (list: readonly ShownFrame[]): Object3D[] => list.flatMap(({ pose, color }) => {
+  const worldFromFrame = matrix(pose);
+  const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
+  const axes = ["axis-x", "axis-y", "axis-z"].map((name, k) => {
+    const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
+    return segments([...origin, ...end], tint(new LineMaterial({ linewidth: 3.5 }), name));
+  });
+  return [...axes, dots([origin], hexOr(color, colour("axis-z")))];
+});
 
 /** Makes dots of a colour. */
 function dots(places: readonly [number, number, number][], color: string): Dots {

@@ -5,7 +5,7 @@ import {
 } from "three";
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
-import { Asked, type ShownParticles } from "./asked.ts";
+import { makeAsked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
 import { Dirt, type Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
@@ -13,7 +13,7 @@ import { LineMaterial, segments, setSegments } from "./lines.ts";
 import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { Axes, hexOr, Path, Trajectories, type ShownFrame, type Trajectory } from "./path.ts";
+import { hexOr, makeAxes, makeTrajectories, Path, type ShownFrame, type Trajectory } from "./path.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
 import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
@@ -87,11 +87,9 @@ export class Stage {
   private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
   private readonly highlights = segments([], tint(new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }), "highlight"));
-  private readonly trajectories = new Trajectories();
-  private readonly axes = new Axes();
+  private readonly queried = new Group();
   private readonly dirt = new Dirt();
   private readonly map = new SurfaceMap();
-  private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
   private readonly rejected = new RejectedStrokes();
@@ -128,7 +126,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: matte(0.6), arm: matte(0.5), joint: matte(0.45), ring: matte(0.4), handle: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
-    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.group, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
+    this.scene.add(this.dirt.group, this.map.mesh, this.force.group, this.marks.group, this.queried, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -225,9 +223,8 @@ export class Stage {
   /** Shows data of a query instead of those before. */
   showData(shown: Shown): void {
     this.shown = shown;
-    this.trajectories.show(shown.trajectories);
-    this.asked.show(shown.particles);
-    this.axes.show(shown.frames);
+    disposeAll(this.queried);
+    for (const one of [...makeTrajectories(shown.trajectories), ...makeAsked(shown.particles), ...makeAxes(shown.frames)]) this.queried.add(one);
     this.makeGhosts();
     this.drawHighlights();
     this.ask();
