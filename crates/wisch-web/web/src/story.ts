@@ -132,11 +132,11 @@ export class Story {
   }
 
   private drawPictures(): void {
-    const { rounds, observedBefore } = this.recording;
+    const { rounds, before } = this.recording;
     const first = rounds[0];
     const last = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
     const known = rounds.map(({ plan, interpreted, truth, observed }) => [plan.round, plan.predicted, plan.duration, Boolean(interpreted), Boolean(truth), Boolean(observed)]);
-    this.rebuild(this.pictures, [known, Boolean(observedBefore)], () => {
+    this.rebuild(this.pictures, [known, Boolean(before.observed)], () => {
       const seam = last && isComparable(last) ? this.seam.show(rounds) : null;
       this.comparison.replaceChildren(...(seam ? this.makePart("Ground truth", "", this.seam.table) : []));
       this.pictures.toggleAttribute("data-maps", Boolean(first && isTreated(first)));
@@ -145,10 +145,10 @@ export class Story {
   }
 
   private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
-    const { observedBefore } = this.recording;
+    const { observed } = this.recording.before;
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
     const before: Dots[] = [{ mark: "believed", places: first.particles.first }];
-    if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
+    if (observed) before.push({ mark: "seen", places: metres(observed.detections) });
     const bent = first.plan.surface.shape;
     const figure = (title: string, round: Round, layers: Dots[]) =>
       makeFigure(surfacePicture(round, layers, `${title}: ${viewOf(round)} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`), bent ? `${title}, surface unrolled` : title);

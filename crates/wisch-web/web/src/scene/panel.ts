@@ -21,7 +21,7 @@ const LISTED: Record<keyof Layers, [label: string, has: (recording: Recording) =
   believed: ["Believed and predicted dirt", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.treated !== null : round.plan.particles.length > 0))],
   estimated: ["Estimated dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.interpreted?.treated : round.interpreted) != null)],
   actual: ["True dirt after the round", ({ rounds }) => rounds.some((round) => (isTreated(round) ? round.truth?.treated : round.truth?.particles) != null)],
-  seen: ["Observed dirt", ({ rounds, observedBefore }) => observedBefore ?? rounds.some(({ observed }) => observed)],
+  seen: ["Observed dirt", ({ rounds, before }) => before.observed ?? rounds.some(({ observed }) => observed)],
   path: ["Tool path", ({ rounds }) => rounds.some(({ count }) => count)],
   ribbon: ["Force along the path", ({ rounds }) => rounds.some(({ count }) => count)],
   strokes: ["Planned strokes", ({ rounds }) => rounds.some(({ plan }) => plan.strokes.length)],
