@@ -1,4 +1,5 @@
 // One round: plan, measurements and results.
+import { Quaternion } from "three";
 import { PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
 import { capitalise } from "./dom.ts";
 import { trackParticles, trackValues, type ParticleTrack, type ValueTrack } from "./particles.ts";
@@ -270,16 +271,11 @@ function mergeIntervals(intervals: Intervals): Intervals {
 const interpolate = (a: number, b: number, share: number): number => (share > 0 ? a + share * (b - a) : a);
 
 /** Interpolates between the poses i and i + 1 of `data`; the rotation takes the shorter way. */
-function interpolatePose(data: ArrayLike<number>, i: number, share: number): Pose {
+function interpolatePose(data: number[], i: number, share: number): Pose {
   const [a, b] = [7 * i, 7 * i + 7];
-  const pose = Array.from({ length: 7 }, (_, k) => data[a + k]!) as Pose;
+  const pose = data.slice(a, b) as Pose;
   if (share <= 0) return pose;
-  let same = 0;
-  for (let k = 3; k < 7; k++) same += data[a + k]! * data[b + k]!;
-  const sign = same < 0 ? -1 : 1;
   for (let k = 0; k < 3; k++) pose[k] = interpolate(pose[k]!, data[b + k]!, share);
-  for (let k = 3; k < 7; k++) pose[k] = interpolate(pose[k]!, sign * data[b + k]!, share);
-  const norm = Math.hypot(pose[3], pose[4], pose[5], pose[6]) || 1;
-  for (let k = 3; k < 7; k++) pose[k]! /= norm;
+  Quaternion.slerpFlat(pose, 3, data, a + 3, data, b + 3, share);
   return pose;
 }

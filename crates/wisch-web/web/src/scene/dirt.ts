@@ -1,5 +1,5 @@
 // Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
-import { BufferAttribute, Group } from "three";
+import { Float32BufferAttribute, Group } from "three";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
 import { drawTexture, makeDots, type Dots } from "./dots.ts";
@@ -75,15 +75,8 @@ export class Dirt {
     points.material.opacity = opacity;
     if (this.shown.get(mark) === places) return;
     this.shown.set(mark, places);
-    const count = places.length / 2;
-    let attribute = points.geometry.getAttribute("position") as BufferAttribute | undefined;
-    if (!attribute || attribute.count < count) {
-      points.geometry.dispose();
-      attribute = new BufferAttribute(new Float32Array(3 * Math.max(64, 2 * count)), 3);
-      points.geometry.setAttribute("position", attribute);
-    }
-    for (let i = 0; i < count; i++) attribute.setXYZ(i, ...lift(shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
-    attribute.needsUpdate = true;
-    points.geometry.setDrawRange(0, count);
+    const at = Array.from({ length: places.length / 2 }, (_, i) => lift(shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
+    points.geometry.dispose();
+    points.geometry.setAttribute("position", new Float32BufferAttribute(at.flat(), 3));
   }
 }
