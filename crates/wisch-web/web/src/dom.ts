@@ -53,6 +53,13 @@ export const fixed = (value: number, digits: number): string => {
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 };
 
+/** Counts names: "2 × push, 1 × landing". */
+export function countNames(names: readonly string[]): string {
+  const counts = new Map<string, number>();
+  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return [...counts].map(([name, count]) => `${count}\u00a0\u00d7\u00a0${name}`).join(", ");
+}
+
 export const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** The name of a phase for people; files have "transfer". */

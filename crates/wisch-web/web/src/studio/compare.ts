@@ -1,5 +1,5 @@
 // Two recordings on one clock: their curves in the same plots, and a table of what differs.
-import { DASH, clockText, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
+import { DASH, clockText, countNames, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
 import { stateOf } from "../words.ts";
@@ -51,13 +51,6 @@ export function contactWay({ rounds }: Recording): number | null {
   return way;
 }
 
-/** Counts the detected events by their kinds: "2 × push, 1 × landing". */
-function countEvents({ happenings }: Recording): string {
-  const counts = new Map<string, number>();
-  for (const { source, kind } of happenings) if (source === "event") counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => `${count} \u00d7 ${kind}`).join(", ") || "none";
-}
-
 function factsOf(recording: Recording): Fact[] {
   const { head, rounds, ended } = recording;
   const { state, text } = stateOf(recording);
@@ -84,7 +77,7 @@ function factsOf(recording: Recording): Fact[] {
     { label: "Way in contact", text: formatKnown(way, (metres) => `${fixed(metres, 2)} m`), value: way, by: signed("m", 2) },
     { label: "Duration", text: clockText(recording.duration), value: recording.duration, by: signed("s", 1) },
     { label: "Largest force", text: peak > 0 ? `${fixed(peak, 1)} N` : DASH, value: peak > 0 ? peak : null, by: signed("N", 1) },
-    { label: "Events", text: countEvents(recording) },
+    { label: "Events", text: countNames(recording.happenings.flatMap(({ source, kind }) => (source === "event" ? [kind] : []))) || "none" },
     { label: "Result", text },
   ];
 }

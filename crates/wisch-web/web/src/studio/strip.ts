@@ -1,22 +1,21 @@
 // What happened in an episode as a strip over its time, and beside it how sure its estimate is.
-import { clockText, el, estimateText, percent, svg } from "../dom.ts";
+import { clockText, countNames, el, estimateText, percent, svg } from "../dom.ts";
 import { PUSH } from "../round.ts";
+import { MARKS } from "../timeline/lanes.ts";
 import type { Listed } from "./server.ts";
 
-/** How the events of a class are named and marked: a shape about the place of its begin [pixels], and the name of its colour. */
+/** How the events of a class are named and marked. */
 const LOOKS: Record<string, { name: string; shape: string; colour: string; hollow?: boolean }> = {
-  HumanCollision: { name: PUSH, shape: "M-5 4.5H5L0 -5z", colour: "collision" },
-  HandGuiding: { name: "hand guiding", shape: "M-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0", colour: "hand" },
-  ContactLoss: { name: "contact loss", shape: "M-3 -3h6v6h-6z", colour: "event", hollow: true },
-  Overload: { name: "overload", shape: "M-4 -4h8v8h-8z", colour: "event" },
+  HumanCollision: { name: PUSH, shape: MARKS.collision, colour: "collision" },
+  HandGuiding: { name: "hand guiding", shape: MARKS.hand, colour: "hand" },
+  ContactLoss: { name: "contact loss", shape: MARKS.event, colour: "event", hollow: true },
+  Overload: { name: "overload", shape: MARKS.event, colour: "event" },
   ProtectiveStop: { name: "protective stop", shape: "M-2 -8h4v16h-4z", colour: "bad" },
 };
 
 /** Counts the events by their names: "2 × push or collision, 1 × contact loss". */
-export function describeEvents({ events }: Pick<Listed, "events">): string {
-  const counts = Object.entries(LOOKS).map(([wanted, { name }]) => [events.filter((event) => event.class === wanted).reduce((sum, { count }) => sum + count, 0), name] as const);
-  return counts.filter(([count]) => count).map(([count, name]) => `${count}\u00a0\u00d7\u00a0${name}`).join(", ");
-}
+export const describeEvents = ({ events }: Pick<Listed, "events">): string =>
+  countNames(events.flatMap(({ class: name, count }) => Array.from({ length: LOOKS[name] ? count : 0 }, () => LOOKS[name]!.name)));
 
 /** Draws the rounds of an episode as blocks, and its events as marks on them. */
 function drawTime(episode: Listed): SVGElement {
