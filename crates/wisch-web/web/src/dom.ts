@@ -26,6 +26,16 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+const shownIn = new WeakMap<Element, string>();
+
+/** Whether the content of an element is not what it was at the last call. What shows the same is not made again: a button that has
+ * the focus would lose it. */
+export function hasChanged(element: Element, content: unknown): boolean {
+  const [before, now] = [shownIn.get(element), JSON.stringify(content)];
+  shownIn.set(element, now);
+  return before !== now;
+}
+
 /** Makes a list of sentences. */
 export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 

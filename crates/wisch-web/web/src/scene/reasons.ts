@@ -1,6 +1,8 @@
 // What a plan is compared with: the strokes of a rejected plan as thin lines, and on the floor the rated base poses.
-import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3 } from "three";
-import type { BufferGeometry, CanvasTexture } from "three";
+import {
+  Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3,
+  type BufferGeometry, type CanvasTexture,
+} from "three";
 import { REACH_BANDS, reachBand } from "../bases.ts";
 import { colour } from "../theme.ts";
 import type { Places, RatedBases, RoundPiece } from "../recording.ts";

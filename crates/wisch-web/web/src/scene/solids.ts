@@ -1,10 +1,10 @@
 // Converts shapes to geometries and poses to matrices.
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
+  type Color, type Material, type Mesh, type Object3D, type Texture,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { colour } from "../theme.ts";
-import type { Color, Material, Mesh, Object3D, Texture } from "three";
 import { PER_METRE } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 

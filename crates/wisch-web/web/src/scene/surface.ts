@@ -1,9 +1,8 @@
 // The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
   CircleGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
-  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3,
+  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3, type BufferGeometry, type Material,
 } from "three";
-import type { BufferGeometry, Material } from "three";
 import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";

@@ -1,5 +1,5 @@
 // The side panel with the list of runs and episodes.
-import { el, fixed, percent, say } from "../dom.ts";
+import { el, fixed, hasChanged, percent, say } from "../dom.ts";
 import { goalState } from "../words.ts";
 import { clearRun, type Listed, type LiveRun, type Overview } from "./server.ts";
 import { describeEvents, makeStrip } from "./strip.ts";
@@ -25,7 +25,6 @@ export class Side {
   private overview: Overview | null = null;
   private current: string[] = [];
   private picking: string | null = null;
-  private drawn = "";
 
   constructor(private readonly actions: SideActions) {
     let later: ReturnType<typeof setTimeout> | undefined;
@@ -69,10 +68,7 @@ export class Side {
   private draw(): void {
     if (!this.overview) return;
     const { list, runs, memory } = this.overview;
-    const drawn = JSON.stringify([list, runs, this.current]);
-    // Without a change, the focus stays.
-    if (drawn === this.drawn) return;
-    this.drawn = drawn;
+    if (!hasChanged(this.list, [list, runs, this.current])) return;
     const focused = (document.activeElement as HTMLElement | null)?.dataset.key;
     const parts: Node[] = [];
     const unfinished = runs.filter(({ state }) => state !== "ended");
