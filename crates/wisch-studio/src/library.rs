@@ -17,6 +17,8 @@ const DRAWN_EVENTS: [&str; 5] = [
     "Overload",
     "ProtectiveStop",
 ];
+/// Endings of rounds that it draws too, with the classes by which they are listed.
+const DRAWN_ENDINGS: [(&str, &str); 2] = [("stopped", "Stopped"), ("ended early", "EndedEarly")];
 /// Events of a class with a shorter pause between them are listed as one: a share of the episode's duration [1].
 const MERGED_SHARE: f64 = 0.01;
 
@@ -237,29 +239,35 @@ impl<'a> About<'a> {
 
 /// Returns the drawn events by the first individual of their episode.
 fn find_events(catalogue: &Catalogue) -> HashMap<IndividualId, Vec<ListedEvent>> {
+    let events = DRAWN_EVENTS.iter().flat_map(|&class| {
+        let ids = catalogue.individuals_of_class(&format!("semco:{class}"));
+        ids.iter()
+            .filter_map(move |&id| Some((class, id, catalogue.interval(id)?)))
+    });
+    let endings = catalogue.texts("semco:ending").iter();
+    let endings = endings.filter_map(|(id, text)| {
+        let (_, class) = DRAWN_ENDINGS.iter().find(|(ending, _)| ending == text)?;
+        let [_, end] = catalogue.interval(*id)?;
+        Some((*class, *id, [end, end]))
+    });
     let mut found: HashMap<IndividualId, Vec<ListedEvent>> = HashMap::new();
-    for class in DRAWN_EVENTS {
-        for &id in catalogue.individuals_of_class(&format!("semco:{class}")) {
-            let Some([start, end]) = catalogue.interval(id) else {
-                continue;
-            };
-            let episode = catalogue.episode_of(id);
-            let [begin, last] = episode.interval;
-            let pause = MERGED_SHARE * (last - begin);
-            let events = found.entry(episode.first).or_default();
-            match events.last_mut() {
-                // The individuals of a class are in order of time.
-                Some(before) if before.class == class && start - begin <= before.end + pause => {
-                    before.end = before.end.max(end - begin);
-                    before.count += 1;
-                }
-                _ => events.push(ListedEvent {
-                    class,
-                    start: start - begin,
-                    end: end - begin,
-                    count: 1,
-                }),
+    for (class, id, [start, end]) in events.chain(endings) {
+        let episode = catalogue.episode_of(id);
+        let [begin, last] = episode.interval;
+        let pause = MERGED_SHARE * (last - begin);
+        let listed = found.entry(episode.first).or_default();
+        match listed.last_mut() {
+            // The individuals of a class are in order of time.
+            Some(before) if before.class == class && start - begin <= before.end + pause => {
+                before.end = before.end.max(end - begin);
+                before.count += 1;
             }
+            _ => listed.push(ListedEvent {
+                class,
+                start: start - begin,
+                end: end - begin,
+                count: 1,
+            }),
         }
     }
     found

@@ -4,13 +4,18 @@ import { PUSH } from "../round.ts";
 import { MARKS } from "../timeline/lanes.ts";
 import type { Listed } from "./server.ts";
 
+/** The mark of what ends a round early. */
+const BAR = "M-2 -8h4v16h-4z";
+
 /** How the events of a class are named and marked. */
 const LOOKS: Record<string, { name: string; shape: string; colour: string; hollow?: boolean }> = {
   HumanCollision: { name: PUSH, shape: MARKS.collision, colour: "collision" },
   HandGuiding: { name: "hand guiding", shape: MARKS.hand, colour: "hand" },
   ContactLoss: { name: "contact loss", shape: MARKS.event, colour: "event", hollow: true },
   Overload: { name: "overload", shape: MARKS.event, colour: "event" },
-  ProtectiveStop: { name: "protective stop", shape: "M-2 -8h4v16h-4z", colour: "bad" },
+  ProtectiveStop: { name: "protective stop", shape: BAR, colour: "bad" },
+  Stopped: { name: "stop on request or by an error", shape: BAR, colour: "bad" },
+  EndedEarly: { name: "early end", shape: BAR, colour: "bad" },
 };
 
 /** Counts the events by their names: "2 × push or collision, 1 × contact loss". */
