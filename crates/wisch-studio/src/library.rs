@@ -9,6 +9,18 @@ use wisch_memory::{Catalogue, CatalogueNode, IndividualId, Memory, MemoryError, 
 
 /// Largest number of listed episodes.
 pub const MOST_LISTED: usize = 500;
+/// Classes of the events that the page draws for each episode, without prefix.
+const DRAWN_EVENTS: [&str; 5] = [
+    "HumanCollision",
+    "HandGuiding",
+    "ContactLoss",
+    "Overload",
+    "ProtectiveStop",
+];
+/// Endings of rounds that it draws too, with the classes by which they are listed.
+const DRAWN_ENDINGS: [(&str, &str); 2] = [("stopped", "Stopped"), ("ended early", "EndedEarly")];
+/// Events of a class with a shorter pause between them are listed as one: a share of the episode's duration [1].
+const MERGED_SHARE: f64 = 0.01;
 
 /// The memory, with its last catalogue as a cache.
 #[derive(Debug)]
@@ -45,8 +57,22 @@ pub struct Listed {
     met: bool,
     /// Verdict on its last round, for example "goal met".
     verdict: Option<String>,
-    collisions: usize,
+    /// Target performance [1].
+    target: Option<f64>,
+    /// Begins of the rounds [s since the episode began].
+    round_starts: Vec<f64>,
+    events: Vec<ListedEvent>,
     has_recording: bool,
+}
+
+/// Events of a class that follow each other closely.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct ListedEvent {
+    class: &'static str,
+    /// Begin and end [s since the episode began].
+    start: f64,
+    end: f64,
+    count: usize,
 }
 
 /// List of episodes, newest first.
@@ -128,7 +154,7 @@ struct About<'a> {
     catalogue: &'a Catalogue,
     /// Wiping action of each episode, by the episode's first individual.
     actions: HashMap<IndividualId, IndividualId>,
-    collisions: HashMap<IndividualId, usize>,
+    events: HashMap<IndividualId, Vec<ListedEvent>>,
     /// Verdict on the last round, by the episode's first individual.
     verdicts: HashMap<IndividualId, &'a str>,
 }
@@ -136,16 +162,12 @@ struct About<'a> {
 impl<'a> About<'a> {
     fn of(catalogue: &'a Catalogue) -> Self {
         let first = |id: IndividualId| catalogue.episode_of(id).first;
-        let mut collisions = HashMap::new();
-        for &id in catalogue.individuals_of_class("semco:HumanCollision") {
-            *collisions.entry(first(id)).or_default() += 1;
-        }
         let actions = catalogue.individuals_of_class("semco:WipingAction").iter();
         let verdicts = catalogue.texts("semco:verdict").iter();
         Self {
             catalogue,
             actions: actions.map(|&id| (first(id), id)).collect(),
-            collisions,
+            events: find_events(catalogue),
             // Rounds are in order, so the last one remains.
             verdicts: verdicts
                 .map(|(id, text)| (first(*id), text.as_str()))
@@ -175,7 +197,11 @@ impl<'a> About<'a> {
             high: number("semco:performanceHigh"),
             met: shared("soma:hasExecutionState").as_deref() == Some("ExecutionState_Succeeded"),
             verdict: (self.verdicts.get(&row.first)).map(|verdict| (*verdict).to_owned()),
-            collisions: self.collisions.get(&row.first).copied().unwrap_or(0),
+            target: number("semco:target"),
+            round_starts: (row.rounds.iter())
+                .map(|start| start - row.interval[0])
+                .collect(),
+            events: self.events.get(&row.first).cloned().unwrap_or_default(),
             has_recording: false,
         }
     }
@@ -209,6 +235,42 @@ impl<'a> About<'a> {
             CatalogueNode::Shared(_) => None,
         })
     }
+}
+
+/// Returns the drawn events by the first individual of their episode.
+fn find_events(catalogue: &Catalogue) -> HashMap<IndividualId, Vec<ListedEvent>> {
+    let events = DRAWN_EVENTS.iter().flat_map(|&class| {
+        let ids = catalogue.individuals_of_class(&format!("semco:{class}"));
+        ids.iter()
+            .filter_map(move |&id| Some((class, id, catalogue.interval(id)?)))
+    });
+    let endings = catalogue.texts("semco:ending").iter();
+    let endings = endings.filter_map(|(id, text)| {
+        let (_, class) = DRAWN_ENDINGS.iter().find(|(ending, _)| ending == text)?;
+        let [_, end] = catalogue.interval(*id)?;
+        Some((*class, *id, [end, end]))
+    });
+    let mut found: HashMap<IndividualId, Vec<ListedEvent>> = HashMap::new();
+    for (class, id, [start, end]) in events.chain(endings) {
+        let episode = catalogue.episode_of(id);
+        let [begin, last] = episode.interval;
+        let pause = MERGED_SHARE * (last - begin);
+        let listed = found.entry(episode.first).or_default();
+        match listed.last_mut() {
+            // The individuals of a class are in order of time.
+            Some(before) if before.class == class && start - begin <= before.end + pause => {
+                before.end = before.end.max(end - begin);
+                before.count += 1;
+            }
+            _ => listed.push(ListedEvent {
+                class,
+                start: start - begin,
+                end: end - begin,
+                count: 1,
+            }),
+        }
+    }
+    found
 }
 
 /// Returns a name without its prefix.

@@ -1,6 +1,7 @@
 //! Episodes: listed and sent, even if others are damaged.
 
 use crate::place::{ID, OTHER, Place, packed};
+use serde_json::json;
 use std::fs;
 
 const LINES: &str =
@@ -32,7 +33,9 @@ fn episodes_are_listed_with_their_results() {
     assert_eq!(first["title"], "board");
     assert_eq!(first["performance"], 0.75);
     assert_eq!(first["met"], true);
-    assert_eq!(first["collisions"], 1);
+    assert_eq!(first["round_starts"], json!([0.0]));
+    let push = json!({"class": "HumanCollision", "start": 3.0, "end": 4.5, "count": 1});
+    assert_eq!(first["events"], json!([push]));
     assert_eq!(first["has_recording"], true);
     assert_eq!(overview["scenarios"][0]["name"], "board");
     let found = place.get("api/overview?find=abcd%20BOARD").json();

@@ -34,14 +34,6 @@ export function onRest(clock: Clock, act: (time: number) => void): () => void {
   };
 }
 
-/** A scheduler of animation frames. */
-interface Pictures {
-  request(callback: (now: number) => void): number;
-  cancel(id: number): void;
-  /** [ms] */
-  now(): number;
-}
-
 export class Clock {
   /** The shown time [s]. */
   time = 0;
@@ -58,7 +50,7 @@ export class Clock {
   /** While following: end of the measured part [s], when it last moved [ms], mean time between moves [s], and speed of the clock. */
   private known = { edge: 0, since: 0, every: CATCH_UP_S.least, pace: 0 };
 
-  constructor(private readonly pictures: Pictures = frames) {}
+  constructor(private readonly pictures: Pick<typeof frames, "request" | "cancel" | "now"> = frames) {}
 
   /** Adds a recording to the clock; returns a function that removes it. */
   join(span: Span): () => void {

@@ -26,6 +26,16 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+const shownIn = new WeakMap<Element, string>();
+
+/** Whether the content of an element is not what it was at the last call. What shows the same is not made again: a button that has
+ * the focus would lose it. */
+export function hasChanged(element: Element, content: unknown): boolean {
+  const [before, now] = [shownIn.get(element), JSON.stringify(content)];
+  shownIn.set(element, now);
+  return before !== now;
+}
+
 /** Makes a list of sentences. */
 export const makeList = (list: readonly string[]): HTMLElement => el("ul", { class: "w-sentences" }, ...list.map((text) => el("li", {}, String(text))));
 
@@ -52,6 +62,13 @@ export const fixed = (value: number, digits: number): string => {
   const text = (isTie ? (2 * Math.round((value * 10 ** digits) / 2)) / 10 ** digits : value).toFixed(digits);
   return /^-0(\.0*)?$/.test(text) ? text.slice(1) : text.replace("-", MINUS);
 };
+
+/** Counts names: "2 × push, 1 × landing". */
+export function countNames(names: readonly string[]): string {
+  const counts = new Map<string, number>();
+  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return [...counts].map(([name, count]) => `${count}\u00a0\u00d7\u00a0${name}`).join(", ");
+}
 
 export const capitalise = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 

@@ -6,10 +6,6 @@ import type { Recording } from "./store.ts";
 type Step = (now: number) => void;
 type Draw = () => void;
 
-interface Host {
-  request(callback: (now: number) => void): unknown;
-}
-
 export class Frames {
   private steps = new Map<number, Step>();
   private draws = new Set<Draw>();
@@ -17,7 +13,8 @@ export class Frames {
   private asked = false;
   private last = 0;
 
-  constructor(private readonly host: Host) {}
+  /** `request` calls its argument in the next frame. */
+  constructor(private readonly host: (step: Step) => unknown) {}
 
   /** Calls `step` once, in the next frame. */
   request(step: Step): number {
@@ -48,7 +45,7 @@ export class Frames {
   private ask(): void {
     if (this.asked || this.drawn) return;
     this.asked = true;
-    this.host.request((now) => this.run(now));
+    this.host((now) => this.run(now));
   }
 
   private run(now: number): void {
@@ -111,4 +108,4 @@ function runGuarded(act: () => void): void {
   }
 }
 
-export const frames = new Frames({ request: (callback) => requestAnimationFrame(callback) });
+export const frames = new Frames((step) => requestAnimationFrame(step));

@@ -67,13 +67,9 @@ export const trackValues = ({ steps, step, places }: TreatmentRecord): ValueTrac
 
 function applyStep(places: Float32Array, [, gone, added]: ParticleStep): Float32Array {
   const drop = new Set(gone);
-  const result = new Float32Array(Math.max(0, places.length - 2 * drop.size) + added.length);
-  let n = 0;
-  for (let i = 0; i < places.length / 2; i++) {
-    if (drop.has(i)) continue;
-    result[n++] = places[2 * i]!;
-    result[n++] = places[2 * i + 1]!;
-  }
-  for (const v of added) result[n++] = number(v) / PER_METRE;
-  return n === result.length ? result : result.slice(0, n);
+  const kept = places.filter((_, i) => !drop.has(i >> 1));
+  const result = new Float32Array(kept.length + added.length);
+  result.set(kept);
+  result.set(metres(added), kept.length);
+  return result;
 }

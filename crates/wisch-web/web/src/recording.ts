@@ -281,7 +281,7 @@ export interface EventRecord {
 export interface IncidentRecord {
   /** When it was first seen; null if it concerns all of the round. */
   time: number | null;
-  /** What happened. */
+  /** What happened; pushes are called collisions. */
   title: string;
   /** The measurements that show it; empty without any. */
   evidence: string;

@@ -1,5 +1,7 @@
 // One round: plan, measurements and results.
-import { Column, PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
+import { Quaternion } from "three";
+import { PlotColumn, lastAtMost, lastIndex, number } from "./columns.ts";
+import { capitalise } from "./dom.ts";
 import { trackParticles, trackValues, type ParticleTrack, type ValueTrack } from "./particles.ts";
 import type { EventRecord, InterpretedPiece, ObservedPiece, Pose, RoundPiece, SamplesPiece, TruthPiece } from "./recording.ts";
 
@@ -27,12 +29,12 @@ class Stretches {
   private first = 0;
 
   /** Takes the samples that are new. */
-  extend({ data, length }: Column, has: (i: number) => boolean): Intervals {
-    for (; this.taken < length; this.taken++) {
+  extend(times: readonly number[], has: (i: number) => boolean): Intervals {
+    for (; this.taken < times.length; this.taken++) {
       const i = this.taken;
       if (!has(i)) this.first = i + 1;
-      else if (i - this.first + 1 === LEAST_SAMPLES) this.list.push([data[this.first]!, data[i]!]);
-      else if (i - this.first >= LEAST_SAMPLES) this.list.at(-1)![1] = data[i]!;
+      else if (i - this.first + 1 === LEAST_SAMPLES) this.list.push([times[this.first]!, times[i]!]);
+      else if (i - this.first >= LEAST_SAMPLES) this.list.at(-1)![1] = times[i]!;
     }
     return this.list;
   }
@@ -55,20 +57,27 @@ export interface Happening extends Omit<EventRecord, "by_hand"> {
   round: number;
 }
 
-/** Returns the kind of an event in which somebody or something acts on the robot; null for other events. Files call a push a
- * collision. */
-export const pushOf = ({ kind, by_hand }: EventRecord): "push" | "hand guiding" | null =>
-  /guiding/i.test(kind) ? "hand guiding" : by_hand || /collision/i.test(kind) ? "push" : null;
+/** A force that does not come from wiping. It shows neither who pushed nor whether the robot struck something, though files call
+ * it a collision. */
+export const PUSH = "push or collision";
+
+/** Returns a title in which a collision is called what the page calls it everywhere. */
+export const namePushes = (title: string): string =>
+  title.replace(/\b(?:human )?collision(s?)\b/i, (_, many, at) => (many ? "pushes or collisions" : at ? PUSH : capitalise(PUSH)));
+
+/** Returns the kind of an event in which somebody or something acts on the robot; null for other events. */
+export const pushOf = ({ kind, by_hand }: EventRecord): typeof PUSH | "hand guiding" | null =>
+  /guiding/i.test(kind) ? "hand guiding" : by_hand || /collision/i.test(kind) ? PUSH : null;
 
 export class Round {
   readonly number: number;
   /** Start on the common clock [s]. */
   start = 0;
-  readonly t = new Column(true);
-  readonly q: Column[];
+  readonly t: number[] = [];
+  readonly q: number[][];
   /** Poses, seven numbers per sample. */
-  readonly tool = new Column();
-  readonly force = new Column();
+  readonly tool: number[] = [];
+  readonly force: number[] = [];
   readonly normal = new PlotColumn();
   readonly height = new PlotColumn();
   readonly particles: ParticleTrack;
@@ -83,7 +92,7 @@ export class Round {
 
   constructor(readonly plan: RoundPiece, variables: number) {
     this.number = plan.round;
-    this.q = Array.from({ length: variables }, () => new Column(false, 64));
+    this.q = Array.from({ length: variables }, () => []);
     this.particles = trackParticles(plan.particles);
     this.treated = plan.treatment ? trackValues(plan.treatment) : null;
   }
@@ -105,7 +114,7 @@ export class Round {
 
   /** Duration: measured, or else planned [s]. */
   get length(): number {
-    const sampled = this.count ? this.t.last : 0;
+    const sampled = this.t.at(-1) ?? 0;
     if (this.interpreted) return Math.max(this.interpreted.duration, sampled);
     return this.over && this.count ? sampled : Math.max(this.plan.duration, sampled);
   }
@@ -119,20 +128,19 @@ export class Round {
     const wrong = tool.length !== 7 * n || force.length !== 3 * n || normal.length !== n || height.length !== n;
     if (wrong || Object.values(q).some((column) => column.length !== n)) throw new Error("columns of samples differ in length");
     if (!t.every(Number.isFinite)) throw new Error("a time is not finite");
-    const before = this.count;
-    for (const time of t) this.t.push(Math.max(number(time), this.count ? this.t.last : -Infinity));
+    for (const time of t) this.t.push(Math.max(number(time), this.t.at(-1) ?? -Infinity));
     this.q.forEach((column, variable) => {
       const positions = q[variable];
-      if (positions) for (const position of positions) column.push(number(position));
-      else column.fill(before ? column.last : 0, before + n);
+      const last = column.at(-1) ?? 0;
+      for (let i = 0; i < n; i++) column.push(positions ? number(positions[i]) : last);
     });
     for (const [column, values] of [[this.tool, tool], [this.force, force], [this.normal, normal], [this.height, height]] as const) for (const v of values) column.push(number(v));
   }
 
   /** Returns the index of the sample at or before a time, and the interpolation share towards the next in [0, 1]. */
   place(time: number): [index: number, share: number] {
-    const i = Math.max(0, lastAtMost(this.t.data, time, this.count));
-    const [from, to] = [this.t.data[i]!, this.t.data[i + 1]!];
+    const i = Math.max(0, lastAtMost(this.t, time));
+    const [from, to] = [this.t[i]!, this.t[i + 1]!];
     if (i + 1 >= this.count || !(to > from)) return [i, 0];
     return [i, Math.min(1, Math.max(0, (time - from) / (to - from)))];
   }
@@ -141,27 +149,27 @@ export class Round {
   positions(time: number, out: Float64Array): Float64Array {
     if (!this.count) return out;
     const [i, share] = this.place(time);
-    this.q.forEach(({ data }, v) => { out[v] = interpolate(data[i]!, data[i + 1]!, share); });
+    this.q.forEach((column, v) => { out[v] = interpolate(column[i]!, column[i + 1]!, share); });
     return out;
   }
 
   toolAt(time: number): Pose | null {
     if (!this.count) return null;
     const [i, share] = this.place(time);
-    return interpolatePose(this.tool.data, i, share);
+    return interpolatePose(this.tool, i, share);
   }
 
   forceAt(time: number): [number, number, number] | null {
     if (!this.count) return null;
     const [i, share] = this.place(time);
-    const at = (k: number) => interpolate(this.force.data[3 * i + k]!, this.force.data[3 * i + 3 + k]!, share);
+    const at = (k: number) => interpolate(this.force[3 * i + k]!, this.force[3 * i + 3 + k]!, share);
     return [at(0), at(1), at(2)];
   }
 
-  valueAt(column: Column, time: number): number | null {
+  valueAt({ data }: PlotColumn, time: number): number | null {
     if (!this.count) return null;
     const [i, share] = this.place(time);
-    const value = interpolate(column.data[i]!, column.data[i + 1]!, share);
+    const value = interpolate(data[i]!, data[i + 1]!, share);
     return Number.isFinite(value) ? value : null;
   }
 
@@ -234,7 +242,7 @@ export class Round {
       return { contact: mergeIntervals(known ?? planned), pushed: mergeIntervals(detected) };
     }
     const isHigh = (i: number) => height.data[i]! > HIGH_M;
-    const strength = (i: number) => Math.hypot(this.force.data[3 * i]!, this.force.data[3 * i + 1]!, this.force.data[3 * i + 2]!);
+    const strength = (i: number) => Math.hypot(this.force[3 * i]!, this.force[3 * i + 1]!, this.force[3 * i + 2]!);
     const pushes = high.extend(this.t, (i) => isHigh(i) && strength(i) > Math.max(PUSH_N, least));
     const pushed = detected.length ? mergeIntervals([...detected, ...pushes]) : pushes;
     if (!known) return { contact: pressed.extend(this.t, (i) => !isHigh(i) && normal.data[i]! > Math.max(TOUCH_N, least)), pushed };
@@ -263,16 +271,11 @@ function mergeIntervals(intervals: Intervals): Intervals {
 const interpolate = (a: number, b: number, share: number): number => (share > 0 ? a + share * (b - a) : a);
 
 /** Interpolates between the poses i and i + 1 of `data`; the rotation takes the shorter way. */
-function interpolatePose(data: ArrayLike<number>, i: number, share: number): Pose {
+function interpolatePose(data: number[], i: number, share: number): Pose {
   const [a, b] = [7 * i, 7 * i + 7];
-  const pose = Array.from({ length: 7 }, (_, k) => data[a + k]!) as Pose;
+  const pose = data.slice(a, b) as Pose;
   if (share <= 0) return pose;
-  let same = 0;
-  for (let k = 3; k < 7; k++) same += data[a + k]! * data[b + k]!;
-  const sign = same < 0 ? -1 : 1;
   for (let k = 0; k < 3; k++) pose[k] = interpolate(pose[k]!, data[b + k]!, share);
-  for (let k = 3; k < 7; k++) pose[k] = interpolate(pose[k]!, sign * data[b + k]!, share);
-  const norm = Math.hypot(pose[3], pose[4], pose[5], pose[6]) || 1;
-  for (let k = 3; k < 7; k++) pose[k]! /= norm;
+  Quaternion.slerpFlat(pose, 3, data, a + 3, data, b + 3, share);
   return pose;
 }

@@ -1,5 +1,5 @@
 // Checks that a piece has all fields that the page draws. Recordings are untrusted input.
-import type { Head, Piece } from "./recording.ts";
+import type { ConeShape, CylinderShape, DensityRecord, Head, MeshShape, Piece, Solid, TreatmentRecord } from "./recording.ts";
 
 type Check = (value: unknown) => boolean;
 
@@ -7,10 +7,13 @@ const text: Check = (value) => typeof value === "string";
 const finite: Check = (value) => typeof value === "number" && Number.isFinite(value);
 const list = (each: Check): Check => (value) => Array.isArray(value) && value.every(each);
 const some: Check = (value) => Array.isArray(value);
-const exactly = (length: number): Check => (value) => Array.isArray(value) && value.length === length && value.every(finite);
+const tuple = (...checks: Check[]): Check => (value) => Array.isArray(value) && value.length === checks.length && checks.every((check, i) => check(value[i]));
+const exactly = (length: number): Check => tuple(...Array.from({ length }, () => finite));
 const maybe = (check: Check): Check => (value) => value === null || value === undefined || check(value);
 const has = (fields: Record<string, Check>): Check => (value) =>
   typeof value === "object" && value !== null && Object.entries(fields).every(([name, check]) => check((value as Record<string, unknown>)[name]));
+/** Checks that a value has fields, and then a condition on it. */
+const such = <T>(fields: Record<string, Check>, holds: (value: T) => boolean): Check => (value) => has(fields)(value) && holds(value as T);
 
 const pose = exactly(7);
 const interval = exactly(2);
@@ -19,26 +22,21 @@ const SOLIDS = new Map<unknown, Check>([
   ["box", has({ size: exactly(3) })], ["sphere", has({ radius: finite })], ["mesh", has({ mesh: finite })],
   ["cylinder", has({ radius: finite, length: finite })], ["capsule", has({ radius: finite, length: finite })],
 ]);
-const solid: Check = (value) => has({ pose, kind: text, color: maybe(exactly(4)) })(value) && SOLIDS.get((value as { kind: unknown }).kind)?.(value) === true;
+const solid = such<Solid>({ pose, kind: text, color: maybe(exactly(4)) }, (value) => SOLIDS.get(value.kind)?.(value) === true);
 const mesh = has({ vertices: list(finite), triangles: list(finite) });
 
 /** A radius of 0 would be no surface. */
-const cylinder: Check = (value) => has({ radius_m: finite, axis_rad: finite })(value) && (value as { kind: unknown }).kind === "cylinder" && (value as { radius_m: number }).radius_m !== 0;
-const chart: Check = (value) => {
-  if (!has({ points: list(finite), places: list(finite), triangles: list(finite) })(value)) return false;
-  const { kind, points, places, triangles } = value as { kind: unknown; points: number[]; places: number[]; triangles: number[] };
+const cylinder = such<CylinderShape>({ radius_m: finite, axis_rad: finite }, ({ kind, radius_m }) => kind === "cylinder" && radius_m !== 0);
+/** A half angle of 0 would be a cylinder. */
+const cone = such<ConeShape>({ radius_m: finite, half_angle_rad: finite, axis_rad: finite },
+  ({ kind, radius_m, half_angle_rad: half }) => kind === "cone" && radius_m !== 0 && half > 0 && half < Math.PI / 2);
+const chart = such<MeshShape>({ points: list(finite), places: list(finite), triangles: list(finite) }, ({ kind, points, places, triangles }) => {
   const count = points.length / 3;
   const isVertex = (i: number): boolean => Number.isInteger(i) && i >= 0 && i < count;
   return kind === "mesh" && count > 0 && places.length === 2 * count && triangles.length > 0 && triangles.length % 3 === 0 && triangles.every(isVertex);
-};
-/** A half angle of 0 would be a cylinder. */
-const cone: Check = (value) => {
-  if (!has({ radius_m: finite, half_angle_rad: finite, axis_rad: finite })(value)) return false;
-  const { kind, radius_m, half_angle_rad } = value as { kind: unknown; radius_m: number; half_angle_rad: number };
-  return kind === "cone" && radius_m !== 0 && half_angle_rad > 0 && half_angle_rad < Math.PI / 2;
-};
+});
 const curved: Check = (value) => cylinder(value) || cone(value) || chart(value);
-const shaped: Check = (value) => curved(value) || (has({ kind: text })(value) && (value as { kind: string }).kind === "plane");
+const shaped: Check = (value) => curved(value) || such<{ kind: string }>({}, ({ kind }) => kind === "plane")(value);
 
 const event = has({ kind: text, start: finite, end: finite, words: text });
 
@@ -66,29 +64,25 @@ const REASONS: Record<string, Check> = {
 /** Largest value of a treated surface, in its unit. */
 const MOST_VALUE = 1e6;
 
-const treatment: Check = (value) => {
-  if (!has({ unit: text, target: finite, low: finite, high: finite, step: finite, cell: exactly(2), places: list(finite), steps: list(some) })(value)) return false;
-  const { unit, low, high, target, places, steps } = value as { unit: string; low: number; high: number; target: number; places: number[]; steps: unknown[][] };
-  const isStep = (step: unknown[]): boolean => step.length === 3 && finite(step[0]) && list(finite)(step[1]) && list(finite)(step[2]);
-  const isBand = unit === "passes" ? [target, low, high].every(Number.isInteger) : unit === "\u00b5m" && low < high;
-  return isBand && high <= MOST_VALUE && low > 0 && low <= target && target <= high && places.length % 2 === 0 && steps.every(isStep);
-};
+const treatment = such<TreatmentRecord>(
+  { unit: text, target: finite, low: finite, high: finite, step: finite, cell: exactly(2), places: list(finite), steps: list(tuple(finite, list(finite), list(finite))) },
+  ({ unit, low, high, target, places }) => {
+    const isBand = unit === "passes" ? [target, low, high].every(Number.isInteger) : unit === "\u00b5m" && low < high;
+    return isBand && high <= MOST_VALUE && low > 0 && low <= target && target <= high && places.length % 2 === 0;
+  });
 
 const round = has({
   ...REASONS,
   round: finite, duration: finite, root: maybe(pose), surface: has({ pose, rings: list(list(finite)), shape: maybe(curved) }), scene: list(solid), meshes: list(mesh),
-  goal: maybe((value) => has({ kind: text })(value) && ((value as { kind: string }).kind !== "collected" || has({ place: exactly(2), radius: finite })(value))),
+  goal: maybe(such<{ kind: string }>({ kind: text }, (goal) => goal.kind !== "collected" || has({ place: exactly(2), radius: finite })(goal))),
   strokes: list(list(finite)), phases: list(has({ name: text, start: finite, end: finite })), press_force: maybe(finite), predicted: maybe(finite), growth: list(interval),
-  particles: list((step) => Array.isArray(step) && step.length === 3 && finite(step[0]) && some(step[1]) && some(step[2])), treatment: maybe(treatment), events: maybe(list(event)), contacts: maybe(list(interval)),
+  particles: list(tuple(finite, some, some)), treatment: maybe(treatment), events: maybe(list(event)), contacts: maybe(list(interval)),
 });
 
 const incident = has({ time: maybe(finite), title: text, evidence: text, effect: text, advice: text });
 
-const density: Check = (value) => {
-  if (!has({ cell: finite, places: list(finite), expected: list(finite), goal: maybe(finite) })(value)) return false;
-  const { cell, places, expected } = value as { cell: number; places: number[]; expected: number[] };
-  return cell > 0 && places.length === 2 * expected.length;
-};
+const density = such<DensityRecord>({ cell: finite, places: list(finite), expected: list(finite), goal: maybe(finite) },
+  ({ cell, places, expected }) => cell > 0 && places.length === 2 * expected.length);
 
 const interpreted = has({
   round: finite, duration: finite, estimate, by_touch: estimate, verdict: text, words: list(text), found: maybe(pose),
@@ -134,4 +128,3 @@ function checkJoints({ robot, tool }: Head): void {
   if (robot.links.length > links || robot.joints.some(({ parent }, i) => !(parent >= 0 && parent <= i))) throw new Error("a joint comes before its parent, or a link has no joint");
   if (tool.link !== null && !(tool.link < links)) throw new Error("the link of the tool does not exist");
 }
-

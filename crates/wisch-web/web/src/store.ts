@@ -55,9 +55,8 @@ export class Recording {
   readonly rounds: Round[] = [];
   readonly stages: StagePiece[] = [];
   readonly meshes: MeshRecord[] = [];
-  /** Observation before the first round. */
-  observedBefore: ObservedPiece | null = null;
-  truthBefore: TruthPiece | null = null;
+  /** What was known before the first round. */
+  readonly before: { observed: ObservedPiece | null; truth: TruthPiece | null } = { observed: null, truth: null };
   ended: EndedPiece | null = null;
   /** Number of unreadable lines, and of pieces of unknown kinds. */
   broken = 0;
@@ -147,15 +146,9 @@ export class Recording {
         if (round !== this.rounds.at(-1)) this.layOutRounds();
         break;
       }
-      case "observed":
-        if (piece.round === 0) this.observedBefore = piece;
-        else this.round(piece.round).observed = piece;
-        break;
+      case "observed": this.placeOf(piece).observed = piece; break;
       case "interpreted": this.round(piece.round).interpreted = { ...piece }; this.layOutRounds(); break;
-      case "truth":
-        if (piece.round === 0) this.truthBefore = piece;
-        else this.round(piece.round).truth = piece;
-        break;
+      case "truth": this.placeOf(piece).truth = piece; break;
       case "ended":
         this.ended = piece;
         for (const round of this.rounds) round.over = true;
@@ -170,6 +163,10 @@ export class Recording {
     const round = this.rounds.findLast((one) => one.number === number);
     if (!round) throw new Error(`no round ${number}`);
     return round;
+  }
+
+  private placeOf({ round }: { round: number }): Recording["before"] {
+    return round === 0 ? this.before : this.round(round);
   }
 
   private layOutRounds(): void {
@@ -188,7 +185,7 @@ export class Recording {
   get now(): number {
     const last = this.rounds.at(-1);
     if (!last || !this.live || last.interpreted || last.plan.kind === "planned") return this.duration;
-    return last.start + (last.count ? last.t.last : 0);
+    return last.start + (last.count ? last.t.at(-1)! : 0);
   }
 
   /** Returns the round at a time of the common clock; the later one at a boundary. */
@@ -216,9 +213,9 @@ export class Recording {
   /** Returns the outcome of the last round that had ended at a time, or what was known before the first one. */
   outcomeAt(t: number): Outcome | null {
     const done = this.rounds.findLast((round) => round.end <= t + 1e-6 && (round.interpreted || round.truth || round.observed));
-    const [round] = done ? [done] : this.rounds;
-    if (!round || !(done || this.truthBefore || this.observedBefore)) return null;
-    const { truth, observed } = done ?? { truth: this.truthBefore, observed: this.observedBefore };
+    const round = done ?? this.rounds[0];
+    const { truth, observed } = done ?? this.before;
+    if (!round || !(done || truth || observed)) return null;
     const { shape } = round.plan.surface;
     const pose = done?.interpreted?.found ?? round.plan.surface.pose;
     return {

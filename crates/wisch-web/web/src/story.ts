@@ -1,6 +1,6 @@
 // The first screen: task, result, confidence interval, what did not go as planned, and what to do next.
 import { isComparable, isTruthOutside } from "./belief.ts";
-import { clockText, el, estimateText, percent, say, svg } from "./dom.ts";
+import { clockText, el, estimateText, hasChanged, percent, say, svg } from "./dom.ts";
 import { onNews } from "./frames.ts";
 import { mark } from "./icons.ts";
 import { makeMapFigures } from "./maps.ts";
@@ -8,8 +8,8 @@ import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
 import type { IncidentRecord } from "./recording.ts";
-import { pushOf, type Round } from "./round.ts";
-import { SAME_S, type Recording } from "./store.ts";
+import { namePushes, type Round } from "./round.ts";
+import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
 import { LOGGED, stateOf } from "./words.ts";
 
@@ -36,12 +36,9 @@ function makeCommand(command: string): HTMLElement {
   return el("div", { class: "w-command" }, el("code", {}, command), copy);
 }
 
-/** Returns what did not go as planned in a round: what its recording states, in which stated pushes say so, and a truth that the estimate misses. */
+/** Returns what did not go as planned in a round: what its recording states, and a truth that the estimate misses. */
 export function findIncidents(round: Round): IncidentRecord[] {
-  const stated = (round.interpreted?.incidents ?? []).map((incident) => {
-    const isPush = round.events.some((event) => pushOf(event) === "push" && incident.time !== null && Math.abs(event.start - incident.time) < SAME_S);
-    return isPush && !/push|human/i.test(incident.title) ? { ...incident, evidence: `Somebody or something pushed the robot. ${incident.evidence}` } : incident;
-  });
+  const stated = (round.interpreted?.incidents ?? []).map((incident) => ({ ...incident, title: namePushes(incident.title) }));
   if (!isTruthOutside(round)) return stated;
   return [...stated, {
     time: null, title: "The ground truth lies outside the interval of the estimate",
@@ -60,7 +57,6 @@ export class Story {
   /** Estimate against ground truth, in words. */
   private readonly comparison = el("div", { class: "w-comparison" });
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
-  private readonly keys = new Map<HTMLElement, string>();
   readonly destroy: () => void;
 
   /** `seek` shows a time of the common clock. */
@@ -84,14 +80,13 @@ export class Story {
     const happened = story?.happened ?? (live ? stages.at(-1)?.words ?? "The run is starting." : interpreted
       ? `The run ended early after round ${interpreted.number}: ${interpreted.interpreted!.verdict}.` : planned ? `Planned, not executed.${describePrediction(rounds.at(-1)!.plan.predicted)}` : logged ? LOGGED : rounds.length ? "The recording ends before the first round has a result." : "The recording has no rounds.");
     const known = rounds.map(({ number, interpreted, truth }) => [number, interpreted?.estimate, interpreted?.by_touch, truth?.performance]);
-    this.rebuild(this.texts, [head?.task, story, live, happened, state, known], () => [
+    if (hasChanged(this.texts, [head?.task, story, live, happened, state, known])) this.texts.replaceChildren(
       ...this.makePart("Task", story?.asked ?? head?.task?.asked ?? ""),
       ...this.makePart(live ? "Now" : "Result", happened),
       ...this.makePart("Confidence", story?.sure ?? (interpreted || planned || logged ? "" : "No round has a result yet."), this.drawBars()),
       this.comparison,
       ...this.makePart("More certainty", story?.surer ?? ""),
-      ...this.makePart("Next", story?.next?.words ?? "", story?.next?.command ? makeCommand(story.next.command) : null),
-    ]);
+      ...this.makePart("Next", story?.next?.words ?? "", story?.next?.command ? makeCommand(story.next.command) : null));
     this.drawPictures();
     this.showIncidents();
   }
@@ -104,17 +99,9 @@ export class Story {
     const more = all.length - shown.length;
     this.incidents.hidden = !isKnown && !all.length;
     const content = [more, shown.map(({ round: { number, start }, incident }) => [number, start, incident])];
-    this.rebuild(this.incidents, content, () => [el("h2", {}, "What did not go as planned"), ...(all.length
+    if (hasChanged(this.incidents, content)) this.incidents.replaceChildren(el("h2", {}, "What did not go as planned"), ...(all.length
       ? [el("ul", {}, ...shown.map(({ round, incident }) => this.makeCard(round, incident))), ...(more ? [el("p", { class: "w-quiet" }, `and ${more} more`)] : [])]
-      : [el("p", { class: "w-quiet" }, "Nothing unusual was detected.")])]);
-  }
-
-  /** Replaces the children of an element if what they show has changed: a button that has the focus would lose it. */
-  private rebuild(parent: HTMLElement, content: unknown, make: () => Node[]): void {
-    const key = JSON.stringify(content);
-    if (this.keys.get(parent) === key) return;
-    this.keys.set(parent, key);
-    parent.replaceChildren(...make());
+      : [el("p", { class: "w-quiet" }, "Nothing unusual was detected.")]));
   }
 
   private makeCard(round: Round, { time, title, evidence, effect, advice }: IncidentRecord): HTMLElement {
@@ -135,23 +122,22 @@ export class Story {
   }
 
   private drawPictures(): void {
-    const { rounds, observedBefore } = this.recording;
+    const { rounds, before } = this.recording;
     const first = rounds[0];
     const last = rounds.findLast((round) => round.interpreted ?? round.truth) ?? null;
     const known = rounds.map(({ plan, interpreted, truth, observed }) => [plan.round, plan.predicted, plan.duration, Boolean(interpreted), Boolean(truth), Boolean(observed)]);
-    this.rebuild(this.pictures, [known, Boolean(observedBefore)], () => {
-      const seam = last && isComparable(last) ? this.seam.show(rounds) : null;
-      this.comparison.replaceChildren(...(seam ? this.makePart("Ground truth", "", this.seam.table) : []));
-      this.pictures.toggleAttribute("data-maps", Boolean(first && isTreated(first)));
-      return !first ? [] : isTreated(first) ? makeMapFigures(this.recording, seam) : this.makeDirtFigures(first, last, seam);
-    });
+    if (!hasChanged(this.pictures, [known, Boolean(before.observed)])) return;
+    const seam = last && isComparable(last) ? this.seam.show(rounds) : null;
+    this.comparison.replaceChildren(...(seam ? this.makePart("Ground truth", "", this.seam.table) : []));
+    this.pictures.toggleAttribute("data-maps", Boolean(first && isTreated(first)));
+    this.pictures.replaceChildren(...(!first ? [] : isTreated(first) ? makeMapFigures(this.recording, seam) : this.makeDirtFigures(first, last, seam)));
   }
 
   private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
-    const { observedBefore } = this.recording;
+    const { observed } = this.recording.before;
     const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
     const before: Dots[] = [{ mark: "believed", places: first.particles.first }];
-    if (observedBefore) before.push({ mark: "seen", places: metres(observedBefore.detections) });
+    if (observed) before.push({ mark: "seen", places: metres(observed.detections) });
     const bent = first.plan.surface.shape;
     const figure = (title: string, round: Round, layers: Dots[]) =>
       makeFigure(surfacePicture(round, layers, `${title}: ${viewOf(round)} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`), bent ? `${title}, surface unrolled` : title);

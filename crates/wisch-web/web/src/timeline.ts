@@ -1,6 +1,6 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, estimateText, fixed, percent, phaseText, say, uniqueId } from "./dom.ts";
-import { frames } from "./frames.ts";
+import { frames, throttle } from "./frames.ts";
 import { isSoftwareRendered } from "./software.ts";
 import { endText, heightText } from "./words.ts";
 import { colour, isPrinting, onTheme } from "./theme.ts";
@@ -40,10 +40,10 @@ export class Timeline {
   private highlights: Interval[] = [];
   private selection: [number, number] | null = null;
   private zoomed = false;
-  private drawn = { version: -1, duration: -1, at: -Infinity };
-  private later: ReturnType<typeof setTimeout> | undefined;
   private readonly moved = () => this.draw();
+  /** Whether the drawing is outdated, and the duration that it shows. */
   private stale = true;
+  private drawnDuration = -1;
   private hovered: number | null = null;
 
   /** `selected` is called with the interval of the common clock that a user selects [s]; null ends the selection. */
@@ -73,10 +73,11 @@ export class Timeline {
       const view = this.element.closest(".w-view");
       if (view) sizes.observe(view);
     });
+    const grown = throttle(isSoftwareRendered() ? EVERY_MS.software : EVERY_MS.card, () => this.redraw());
     this.stop.push(
-      () => sizes.disconnect(),
+      () => sizes.disconnect(), grown.stop,
       clock.subscribe(() => this.ask()),
-      recording.onChange(() => this.ask()),
+      recording.onChange(() => (recording.live ? grown.ask() : this.redraw())),
       onTheme(() => this.resize()),
     );
   }
@@ -114,7 +115,6 @@ export class Timeline {
 
   destroy(): void {
     frames.drop(this.moved);
-    clearTimeout(this.later);
     for (const stop of this.stop) stop();
   }
 
@@ -170,10 +170,10 @@ export class Timeline {
     const { duration } = clock;
     if (!this.zoomed) [frame.from, frame.to] = [0, Math.max(duration, 1e-3)];
     else if (clock.playing || clock.following) this.scrollToCursor();
-    if (this.isDue()) {
+    if (this.stale || this.drawnDuration !== duration) {
       this.drawBase();
       say(this.description, recording.rounds.map((round) => describeRound(recording, round)).join(" "));
-      this.drawn = { version: recording.version, duration, at: performance.now() };
+      this.drawnDuration = duration;
       this.stale = false;
     }
     this.whole.hidden = !this.zoomed;
@@ -184,19 +184,6 @@ export class Timeline {
     const instant = recording.at(clock.time);
     const phase = instant?.round.plan.phases[instant.phase]?.name;
     element.setAttribute("aria-valuetext", `${clockText(clock.time)}${instant ? `, round ${instant.round.number}` : ""}${phase ? `, ${phaseText(phase)}` : ""}${this.selection ? `, ${describeSelection(recording, this.selection)}` : ""}`);
-  }
-
-  /** Whether the drawing is outdated. During a live run, redraws are throttled. */
-  private isDue(): boolean {
-    const { recording, clock, drawn } = this;
-    if (this.stale || drawn.duration !== clock.duration) return true;
-    if (drawn.version === recording.version) return false;
-    const every = isSoftwareRendered() ? EVERY_MS.software : EVERY_MS.card;
-    const left = recording.live ? drawn.at + every - performance.now() : 0;
-    if (left <= 0) return true;
-    clearTimeout(this.later);
-    this.later = setTimeout(() => this.ask(), left);
-    return false;
   }
 
   /** Scrolls when the cursor leaves the visible interval. */

@@ -48,7 +48,7 @@ export function describeBegin(round: Round, before: Round | null): string[] {
   if (!before || !estimate || begin === null || Math.abs(begin - estimate.mean) < FAR) return [];
   return [
     `The prediction begins at ${percent(begin, 1)}, ${begin < estimate.mean ? "below" : "above"} the estimate of ${estimateText(estimate)} after round ${before.number}. It starts from one random draw from the new belief; the estimate is the mean of all draws.${
-      before.events.some(pushOf) ? ` A push or hand guiding in round ${before.number} may have left open what was wiped there.` : ""}`,
+      before.events.some(pushOf) ? ` A push, a collision or hand guiding in round ${before.number} may have left open what was wiped there.` : ""}`,
   ];
 }
 

@@ -1,5 +1,5 @@
 // The panel beside the scene: current phase, reasons of the plan, results, events, numbers and log.
-import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, makeList, percent, phaseText, say } from "./dom.ts";
+import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, hasChanged, makeList, percent, phaseText, say } from "./dom.ts";
 import { isOver } from "./scene/bend.ts";
 import type { Clock } from "./clock.ts";
 import type { Fact } from "./recording.ts";
@@ -76,8 +76,6 @@ export class Words {
   private readonly log = el("ol", { class: "w-log" });
   private readonly logCount = el("span", { class: "w-quiet" });
   private readonly complaint = el("p", { class: "w-complaint", hidden: true });
-  private key = "";
-  private whole = "";
   private shownEvents: { element: HTMLElement; start: number; end: number }[] = [];
 
   /** `choose` shows in the scene what a reader chose of a plan. */
@@ -104,17 +102,9 @@ export class Words {
     const instant = recording.at(clock.time);
     this.showNow(instant);
     const round = instant?.round;
-    const key = [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live, recording.ended?.badge].join();
-    if (key !== this.key) {
-      this.key = key;
-      this.showRound(round ?? null);
-    }
+    if (hasChanged(this.after, [round?.number, round?.start, recording.rounds.length, Boolean(round?.interpreted), Boolean(round?.truth), recording.live, recording.ended?.badge])) this.showRound(round ?? null);
     const { stages, happenings, head, ended, broken, unknown } = recording;
-    const whole = [stages.length, happenings.length, Boolean(head), Boolean(ended), broken, unknown].join();
-    if (whole !== this.whole) {
-      this.whole = whole;
-      this.showRun();
-    }
+    if (hasChanged(this.events, [stages.length, happenings.length, Boolean(head), Boolean(ended), broken, unknown])) this.showRun();
     for (const { element, start, end } of this.shownEvents) {
       element.toggleAttribute("data-now", clock.time >= start - 0.05 && clock.time <= end + 0.05);
     }

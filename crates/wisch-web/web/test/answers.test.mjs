@@ -48,7 +48,7 @@ test("the clock goes to the queried pose, or else to the start of the queried in
   const collision = { episode: ID, class: "HumanCollision", interval: [BEGIN + 2, BEGIN + 4] };
   const asked = (view) => ({ ...answers(view), about: [[collision]] });
   const posed = shownOf(asked({ bodies: [body("robot", 3)] }), null, ID, recording);
-  assert.deepEqual(posed.intervals, [{ start: 2, end: 4, label: "human collision" }]);
+  assert.deepEqual(posed.intervals, [{ start: 2, end: 4, label: "push or collision" }]);
   assert.equal(soughtTime(posed), 3);
   assert.equal(soughtTime(shownOf(asked({}), null, ID, recording)), 2);
 });
@@ -58,6 +58,7 @@ test("individuals have the titles of the timeline", () => {
   assert.equal(titleOf({ names }, "semco:Stroke_20261122-010000-abcd-10"), "round 1, stroke 3");
   assert.equal(titleOf({ names }, "semco:Stroke_20261122-010000-abcd-12"), "Stroke 12");
   assert.equal(titleOf({ names }, "semco:sponge"), "sponge");
+  assert.equal(titleOf({ names: { push: "round 1, human collision 2" } }, "push"), "round 1, push or collision 2");
   assert.match(episodeTitle({ task: "board", begun: 1795777372 }), /^board, 27 Nov, \d\d:\d\d$/);
 });
 
@@ -70,7 +71,7 @@ test("a logged round has events and contacts without a result", () => {
     },
   ].map((piece) => JSON.stringify(piece)).join("\n"));
   assert.equal(recording.broken, 0);
-  assert.deepEqual(recording.happenings.map(({ kind, start }) => [kind, start]), [["push", 1]]);
+  assert.deepEqual(recording.happenings.map(({ kind, start }) => [kind, start]), [["push or collision", 1]]);
   assert.deepEqual(recording.rounds[0].contacts.contact, [[0.5, 1.5]]);
   assert.equal(recording.rounds[0].contactAt(1.1), "pushed");
   assert.equal(recording.rounds[0].interpreted, null);

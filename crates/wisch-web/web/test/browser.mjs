@@ -59,10 +59,17 @@ async function openStudio(hash, overview, recordings, answers, viewport = { widt
 }
 
 const overviewOf = (episodes) => ({ memory: "m", list: { episodes, total: episodes.length, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } });
-const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", collisions: 0, has_recording: true, ...more });
+const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", target: 0.85, round_starts: [0], events: [], has_recording: true, ...more });
 
 const time = (page) => page.evaluate(() => wisch.view.clock.time);
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+/** Numbers of drawn and of lit segments of the force along the path. */
+const ribbon = (page) => page.evaluate(() => {
+  const { mesh } = wisch.view.stage.current.path.ribbon;
+  const drawn = mesh.visible ? mesh.geometry.drawRange.count / 6 : 0;
+  const opacities = mesh.geometry.getAttribute("color");
+  return { drawn, lit: Array.from({ length: drawn }, (_, i) => opacities.getW(4 * i)).filter((opacity) => opacity === 1).length };
+});
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not near ${b}`);
 const wide = (page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 const parts = sample();
@@ -355,7 +362,10 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     const reasons = async () => {
       await drawn(page);
-      return page.evaluate(() => wisch.view.stage.reasons);
+      return page.evaluate(() => {
+        const { chosenNow, rejected, bases } = wisch.view.stage;
+        return { stroke: chosenNow?.stroke ?? null, rejected: rejected.group.visible ? rejected.shown?.length ?? 0 : 0, bases: bases.places.length };
+      });
     };
     const sentences = await page.locator(".w-section .w-sentences").first().locator("li").allInnerTexts();
     assert.match(sentences[0], /^Stroke 1 is predicted to matter most: without it, the plan reaches 57\.0\u202f% instead of 78\.0\u202f%\.$/);
@@ -413,7 +423,7 @@ const cases = {
     await page.evaluate(() => document.querySelector(".w-view").scrollIntoView());
     await page.waitForTimeout(1200);
     assert.match(await page.locator(".w-force-scale").innerText(), /^Force along the path, target 8\.0\u202fN\s+below 80\u202f%\s+on target\s+above 125\u202f%$/);
-    const all = await page.evaluate(() => wisch.view.stage.ribbon);
+    const all = await ribbon(page);
     assert.ok(all.drawn > 20 && all.lit === all.drawn, JSON.stringify(all));
     // The place of the path at 2.5 s, in contact, on the screen.
     const at = await page.evaluate(() => {
@@ -441,13 +451,13 @@ const cases = {
     await page.mouse.up();
     await page.waitForTimeout(1000);
     near(await time(page), 5, 0.1);
-    const some = await page.evaluate(() => wisch.view.stage.ribbon);
+    const some = await ribbon(page);
     assert.ok(some.lit > 5 && some.lit < some.drawn && some.drawn < all.drawn, JSON.stringify(some));
     assert.match(await page.locator(".w-timeline .w-tip").innerText(), /^selected: 5\.\d\d s to 9\.\d\d s, force \u22120\.\d to 1\d\.\d N$/m);
     await picture("force-selected");
     await page.mouse.click(x(12), lanes.y + 100);
     await page.waitForTimeout(500);
-    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
+    assert.deepEqual(await ribbon(page), all);
     // The same by keys.
     const press = async (t, key) => {
       await page.evaluate((time) => wisch.view.seek(time), t);
@@ -456,14 +466,14 @@ const cases = {
     };
     await press(9.6, "o");
     await press(5, "i");
-    const keyed = await page.evaluate(() => wisch.view.stage.ribbon);
+    const keyed = await ribbon(page);
     assert.ok(keyed.lit > 5 && keyed.lit < keyed.drawn, JSON.stringify(keyed));
     assert.match(await page.locator(".w-timeline").getAttribute("aria-valuetext"), /, selected: 5\.00 s to 9\.60 s, force \u22120\.\d to 1\d\.\d N$/);
     await press(12, "Escape");
-    assert.deepEqual(await page.evaluate(() => wisch.view.stage.ribbon), all);
+    assert.deepEqual(await ribbon(page), all);
     await page.getByLabel("Force along the path").uncheck();
     await page.waitForTimeout(300);
-    assert.equal((await page.evaluate(() => wisch.view.stage.ribbon)).drawn, 0);
+    assert.equal((await ribbon(page)).drawn, 0);
     assert.equal(await page.locator(".w-force-scale").isVisible(), false);
     assert.deepEqual(complaints, []);
     await page.close();
@@ -928,7 +938,7 @@ const cases = {
     await page.fill(".s-query", "show(robot, M)");
     await page.press(".s-query", "Enter");
     await page.waitForFunction((id) => wisch.stage.shown[0]?.id === id && wisch.stage.shown[0].view.stage.drawn > 1, first);
-    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.stage.ghostCount), 1, "the robot is drawn");
+    assert.equal(await page.evaluate(() => wisch.stage.shown[0].view.stage.ghosts.children.length), 1, "the robot is drawn");
     assert.equal(await page.evaluate(() => wisch.stage.time), 3, "the clock is at M");
     if (pictures) await page.screenshot({ path: join(pictures, "asked.png") });
     assert.deepEqual(complaints, []);
@@ -937,7 +947,7 @@ const cases = {
 
   async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
     const id = "20261122-010000-abcd";
-    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", collisions: 2 })]), { [id]: whole }, null, { width: 3840, height: 2160 });
+    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", events: [{ class: "HumanCollision", start: 0.2, end: 0.3, count: 2 }] })]), { [id]: whole }, null, { width: 3840, height: 2160 });
     await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
     const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
     assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
@@ -949,7 +959,8 @@ const cases = {
     await page.mouse.click(box.x + zoom * 112 + 0.5 * (box.width - zoom * (112 + 22)), box.y + 60);
     const { duration, at } = await page.evaluate(() => ({ duration: wisch.recording?.duration ?? wisch.stage.shown[0].recording.duration, at: wisch.stage.time }));
     near(at, 0.5 * duration, 0.1);
-    assert.match(await page.locator(".s-list .s-what").innerText(), /2 pushes \u00b7 no progress$/);
+    assert.match(await page.locator(".s-list .s-what").innerText(), /2\u00a0\u00d7\u00a0push or collision \u00b7 no progress$/);
+    assert.equal(await page.locator(".s-strip .s-time title").textContent(), "2 \u00d7 push or collision, 0.2 s to 0.3 s");
     if (pictures) await page.screenshot({ path: join(pictures, "studio-large.png") });
     assert.deepEqual(complaints, []);
     await page.close();

@@ -5,7 +5,7 @@ import { Frames } from "../src/frames.ts";
 /** A source of frames that the test triggers. */
 function hand() {
   const wanted = [];
-  const frames = new Frames({ request: (callback) => wanted.push(callback) });
+  const frames = new Frames((step) => wanted.push(step));
   return { frames, wanted, pass: (now = 0) => { for (const callback of wanted.splice(0)) callback(now); } };
 }
 

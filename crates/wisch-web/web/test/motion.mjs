@@ -23,7 +23,7 @@ for (const path of process.argv.slice(2)) {
     for (const round of recording.rounds) for (let i = 0; i < round.count; i++) {
       tree.update(round.plan.root, round.q.map(({ data }) => data[i]));
       const at = new Vector3().setFromMatrixPosition(tree.worldFromLink[tool.link].clone().multiply(matrix(tool.solid.pose)));
-      worst = Math.max(worst, at.distanceTo(new Vector3(...round.tool.data.subarray(7 * i, 7 * i + 3))));
+      worst = Math.max(worst, at.distanceTo(new Vector3(...round.tool.slice(7 * i, 7 * i + 3))));
       count++;
     }
   }

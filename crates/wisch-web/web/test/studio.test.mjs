@@ -5,6 +5,7 @@ import { drawAnswers } from "../src/studio/answers.ts";
 import { startStudio } from "../src/studio/main.ts";
 import { readRecording } from "../src/studio/server.ts";
 import { badge } from "../src/studio/side.ts";
+import { makeStrip } from "../src/studio/strip.ts";
 
 class Fake extends EventTarget {
   children = [];
@@ -135,4 +136,17 @@ test("a table of answers names individuals as the timeline does, with units in i
   assert.deepEqual(texts((attributes) => attributes.get("title") === name), ["round 1, stroke 3"]);
   assert.match(texts((attributes) => attributes.get("title") === mention.episode).join(), /^board, 27 Nov, /);
   assert.deepEqual(all.filter(({ attributes }) => attributes.get("class") === "s-number").map(({ attributes }) => attributes.get("title")), ["0.725", "7.456 N", "0.0349 rad", "0.00699 m", "3", "-0.002 m per episode"]);
+});
+
+test("the strip of an episode shows its rounds and events in their places, and its estimate", async () => {
+  await open("");
+  const event = (name, start, end, count = 1) => ({ class: name, start, end, count });
+  const episode = { seconds: 20, round_starts: [0, 15], events: [event("HumanCollision", 5, 6, 2), event("ContactLoss", 10, 12), event("Unknown", 1, 2)], performance: 0.9, low: 0.8, high: 1, target: 0.95 };
+  const [time, estimate] = makeStrip(episode).children;
+  const places = time.children.map(({ attributes }) => [attributes.get("x"), attributes.get("width")]);
+  assert.deepEqual(places, [["0.00%", "75.00%"], ["75.00%", "25.00%"], ["25.00%", "5.00%"], ["50.00%", "10.00%"], ["25.00%", undefined], ["50.00%", undefined]]);
+  assert.equal(time.attributes.get("aria-label"), "2 rounds: 2\u00a0\u00d7\u00a0push or collision, 1\u00a0\u00d7\u00a0contact loss");
+  assert.equal(estimate.attributes.get("aria-label"), "estimated 90\u202f% (90\u202f%: 80\u202f% to 100\u202f%), target 95\u202f%");
+  assert.equal(makeStrip({ ...episode, performance: null }).children.length, 1);
+  assert.equal(makeStrip({ ...episode, seconds: 0 }), null);
 });

@@ -161,7 +161,6 @@ test("crossing a round's end again and again makes its outlines once", () => {
   const widths = [];
   still.group.traverse((object) => { if (object.material?.name === "chosen" && isShown(object)) widths.push(object.material.linewidth); });
   assert.deepEqual(widths, [7], "a chosen stroke is drawn while the others are hidden");
-  still.dispose();
 });
 
 test("a hostile outline gets few dashes", () => {

@@ -38,7 +38,7 @@ test("a tool beside the surface has no height over it", () => {
   assert.equal(heightText({ ...at(0, 0), height: null }), "\u2013");
 });
 
-test("a truth outside the interval is unusual, and a push is called one", () => {
+test("a truth outside the interval is unusual, and a collision may be a push", () => {
   const outside = parse((piece) => (piece.piece === "truth" && piece.round === 2 ? { ...piece, performance: 0.01 } : piece)).rounds[1];
   const missed = findIncidents(outside).at(-1);
   assert.match(missed.title, /ground truth lies outside the interval/);
@@ -48,7 +48,9 @@ test("a truth outside the interval is unusual, and a push is called one", () => 
   assert.ok(!findIncidents(second).some(({ title }) => title === missed.title));
   const [push] = first.events.filter(({ kind }) => kind === "collision");
   first.interpreted.incidents = [{ time: push.start, title: "2 collisions", evidence: "At 9.1 s.", effect: "", advice: "" }, { time: null, title: "Less was wiped", evidence: "", effect: "", advice: "" }];
-  assert.deepEqual(findIncidents(first).slice(0, 2).map(({ evidence }) => evidence), ["Somebody or something pushed the robot. At 9.1 s.", ""]);
+  assert.deepEqual(findIncidents(first).slice(0, 2).map(({ title, evidence }) => [title, evidence]), [["2 pushes or collisions", "At 9.1 s."], ["Less was wiped", ""]]);
+  const titled = (title) => findIncidents({ ...first, interpreted: { ...first.interpreted, incidents: [{ title }] } })[0].title;
+  assert.deepEqual(["Collision in stroke 3", "2 collisions: in stroke 3 and between strokes", "Human collision"].map(titled), ["Push or collision in stroke 3", "2 pushes or collisions: in stroke 3 and between strokes", "Push or collision"]);
 });
 
 test("the timeline has a text for each round", () => {
@@ -68,7 +70,7 @@ test("the timeline has a text for each round", () => {
 test("a prediction that begins away from the estimate says why, and a stroke that takes dirt out of the goal area too", () => {
   const [first, second] = parse((piece) => (piece.piece === "round" && piece.round === 2 ? { ...piece, growth: [[0, 0.3], [3, 0.4], [9, 0.9]] } : piece)).rounds;
   const [text] = describeBegin(second, first);
-  assert.match(text, /^The prediction begins at 30\.0\u202f%, below the estimate of .* after round 1\. It starts from one random draw from the new belief; .* A push or hand guiding in round 1 may have left open what was wiped there\.$/);
+  assert.match(text, /^The prediction begins at 30\.0\u202f%, below the estimate of .* after round 1\. It starts from one random draw from the new belief; .* A push, a collision or hand guiding in round 1 may have left open what was wiped there\.$/);
   assert.deepEqual(describeBegin(first, null), []);
   second.plan.growth = [[0, first.interpreted.estimate.mean + 0.01]];
   assert.deepEqual(describeBegin(second, first), []);

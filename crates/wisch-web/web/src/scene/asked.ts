@@ -1,11 +1,11 @@
 // Queried particles: diamonds with a dark rim, filled for the dirt before a round, hollow for the estimate after it. The marks
 // of the recording have other shapes, so that readers distinguish both without colours.
-import { Group, type CanvasTexture } from "three";
+import type { CanvasTexture } from "three";
 import { colour } from "../theme.ts";
 import { hexOr } from "./path.ts";
 import { lift } from "./bend.ts";
-import { drawTexture, makeDots } from "./dots.ts";
-import { disposeAll, placeAt } from "./solids.ts";
+import { drawTexture, makeDots, type Dots } from "./dots.ts";
+import { placeAt } from "./solids.ts";
 import { ABOVE } from "./surface.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend } from "../store.ts";
@@ -41,17 +41,12 @@ const drawDiamond = (hollow: boolean): CanvasTexture => drawTexture((pen) => {
 /** Returns the colour that the query gives, or else the highlight colour. */
 export const askedColour = (color: string | undefined): string => hexOr(color, colour("highlight"));
 
-export class Asked {
-  readonly group = new Group();
-  private readonly textures = { before: drawDiamond(false), estimated: drawDiamond(true) };
-
-  show(list: ShownParticles[]): void {
-    disposeAll(this.group);
-    list.forEach(({ color, pose, shape, places, state }, i) => {
-      const points = places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE));
-      const dots = placeAt(makeDots(points, this.textures[state], SIZE_PX, { renderOrder: 7 + i / (list.length + 1) }), pose);
-      dots.material.color.set(askedColour(color));
-      this.group.add(dots);
-    });
-  }
+/** Makes the marks of queried particles. */
+export function makeAsked(list: readonly ShownParticles[]): Dots[] {
+  return list.map(({ color, pose, shape, places, state }, i) => {
+    const points = places.flatMap(([x, y]) => lift(shape, x, y, 2 * ABOVE));
+    const dots = placeAt(makeDots(points, drawDiamond(state === "estimated"), SIZE_PX, { renderOrder: 7 + i / (list.length + 1) }), pose);
+    dots.material.color.set(askedColour(color));
+    return dots;
+  });
 }

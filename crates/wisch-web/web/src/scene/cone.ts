@@ -31,15 +31,10 @@ function axesOf(cone: ConeShape): Axes {
   return axes;
 }
 
-/** Returns the angle about the apex of a place, from the line through the chart's origin [rad]. */
-function turnOf(cone: ConeShape, x: number, y: number): number {
-  const { along, slant } = axesOf(cone);
-  return Math.atan2(along[0] * y - along[1] * x, slant + along[0] * x + along[1] * y);
-}
-
 /** Returns the angle about the axis from the chart's origin to a place [rad]. */
 export function rollOnCone(cone: ConeShape, x: number, y: number): number {
-  return turnOf(cone, x, y) / axesOf(cone).sine;
+  const { along, slant, sine } = axesOf(cone);
+  return Math.atan2(along[0] * y - along[1] * x, slant + along[0] * x + along[1] * y) / sine;
 }
 
 /** Returns the point at a height over a place, in the frame of the surface [m]. */

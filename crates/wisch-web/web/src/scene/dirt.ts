@@ -1,11 +1,10 @@
 // Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
-import { BufferAttribute, Group } from "three";
-import { colour } from "../theme.ts";
+import { Float32BufferAttribute, Group } from "three";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
 import { drawTexture, makeDots, type Dots } from "./dots.ts";
 import { GRAIN_M, Grains, formOf } from "./grains.ts";
-import { placeAt } from "./solids.ts";
+import { placeAt, tint } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend, Instant, Outcome, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
@@ -32,14 +31,13 @@ export class Dirt {
   constructor() {
     this.points = Object.fromEntries(MARKS.map((mark) => {
       const points = makeDots([], drawTexture(DRAW[mark]), SIZE[mark], { nearer: 0.99, alphaTest: 0.15, renderOrder: 2 + MARKS.indexOf(mark) });
+      tint(points.material, mark);
       this.group.add(points);
       return [mark, points];
     })) as Dirt["points"];
-    this.paint();
   }
 
   paint(): void {
-    for (const mark of MARKS) this.points[mark].material.color.set(colour(mark));
     this.grains?.paint();
   }
 
@@ -77,15 +75,8 @@ export class Dirt {
     points.material.opacity = opacity;
     if (this.shown.get(mark) === places) return;
     this.shown.set(mark, places);
-    const count = places.length / 2;
-    let attribute = points.geometry.getAttribute("position") as BufferAttribute | undefined;
-    if (!attribute || attribute.count < count) {
-      points.geometry.dispose();
-      attribute = new BufferAttribute(new Float32Array(3 * Math.max(64, 2 * count)), 3);
-      points.geometry.setAttribute("position", attribute);
-    }
-    for (let i = 0; i < count; i++) attribute.setXYZ(i, ...lift(shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
-    attribute.needsUpdate = true;
-    points.geometry.setDrawRange(0, count);
+    const at = Array.from({ length: places.length / 2 }, (_, i) => lift(shape, places[2 * i]!, places[2 * i + 1]!, ABOVE));
+    points.geometry.dispose();
+    points.geometry.setAttribute("position", new Float32BufferAttribute(at.flat(), 3));
   }
 }

@@ -1,7 +1,7 @@
 // The force of the environment on the tool, and its component along the surface normal, as arrows.
-import { Color, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
-import { colour } from "../theme.ts";
+import { ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { normalUnder } from "./bend.ts";
+import { tint } from "./solids.ts";
 import type { Instant } from "../store.ts";
 
 /** Length of the arrow for the largest force of a round [m]. */
@@ -15,11 +15,11 @@ class Arrow {
   readonly group = new Group();
   private readonly shaft: Mesh;
   private readonly tip: Mesh;
-  readonly material = new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.95 });
 
-  constructor(radius: number) {
-    this.shaft = new Mesh(new CylinderGeometry(radius, radius, 1, 12).translate(0, 0.5, 0), this.material);
-    this.tip = new Mesh(new ConeGeometry(3 * radius, 6 * radius, 16).translate(0, 3 * radius, 0), this.material);
+  constructor(radius: number, name: string) {
+    const material = tint(new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.95 }), name);
+    this.shaft = new Mesh(new CylinderGeometry(radius, radius, 1, 12).translate(0, 0.5, 0), material);
+    this.tip = new Mesh(new ConeGeometry(3 * radius, 6 * radius, 16).translate(0, 3 * radius, 0), material);
     this.group.add(this.shaft, this.tip);
     this.group.renderOrder = this.shaft.renderOrder = this.tip.renderOrder = 8;
   }
@@ -39,17 +39,11 @@ class Arrow {
 
 export class Force {
   readonly group = new Group();
-  private readonly whole = new Arrow(1);
-  private readonly pressed = new Arrow(0.5);
+  private readonly whole = new Arrow(1, "force");
+  private readonly pressed = new Arrow(0.5, "ink");
 
   constructor() {
     this.group.add(this.whole.group, this.pressed.group);
-    this.paint();
-  }
-
-  paint(): void {
-    this.whole.material.color = new Color(colour("force"));
-    this.pressed.material.color = new Color(colour("ink"));
   }
 
   show(instant: Instant, place: Vector3, eye: Vector3, visible: boolean): void {

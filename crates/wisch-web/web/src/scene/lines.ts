@@ -3,7 +3,6 @@ import { Vector3, type Color } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import { Column } from "../columns.ts";
 
 /** Depth offset that draws lines on a surface slightly nearer. */
 const NEARER = { polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 };
@@ -56,8 +55,8 @@ export function cutDashes(ends: readonly number[], pattern: readonly [number, nu
 /** Segments that are added one by one, each with a colour of the palette; `show` draws the first ones. */
 export class GrowingSegments {
   readonly line: LineSegments2;
-  private readonly positions = new Column();
-  private readonly kinds = new Column();
+  private readonly positions: number[] = [];
+  private readonly kinds: number[] = [];
   private changed = true;
 
   constructor(width: number, private palette: Color[]) {
@@ -81,7 +80,7 @@ export class GrowingSegments {
 
   /** Returns the end of a segment. */
   end(i: number): Vector3 {
-    return new Vector3().fromArray(this.positions.data, 6 * i + 3);
+    return new Vector3().fromArray(this.positions, 6 * i + 3);
   }
 
   paint(palette: Color[]): void {
@@ -95,19 +94,14 @@ export class GrowingSegments {
     this.line.visible = shown > 0;
   }
 
-  dispose(): void {
-    this.line.geometry.dispose();
-    this.line.material.dispose();
-  }
-
   private upload(): void {
     this.changed = false;
     const { geometry } = this.line;
     geometry.dispose();
     const size = 6 * Math.max(1, this.count);
     const colours = new Float32Array(size);
-    for (let i = 0; i < this.count; i++) for (const at of [6 * i, 6 * i + 3]) this.palette[this.kinds.data[i]!]!.toArray(colours, at);
-    geometry.setPositions(this.positions.data.slice(0, size) as Float32Array).setColors(colours);
+    for (let i = 0; i < this.count; i++) for (const at of [6 * i, 6 * i + 3]) this.palette[this.kinds[i]!]!.toArray(colours, at);
+    geometry.setPositions(this.count ? this.positions : new Float32Array(size)).setColors(colours);
   }
 }
 

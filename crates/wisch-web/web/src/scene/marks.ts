@@ -22,8 +22,8 @@ const PUSHES = ["collision", "hand", "actual"];
 /** Returns the sample of an interval of a round with the largest measured force; -1 without any. */
 export function strongestSample({ t, force, count }: Round, start: number, end: number): number {
   let [best, most] = [-1, LEAST_N];
-  for (let i = Math.max(0, lastAtMost(t.data, start, count)); i < count && t.data[i]! <= end; i++) {
-    const size = Math.hypot(force.data[3 * i]!, force.data[3 * i + 1]!, force.data[3 * i + 2]!);
+  for (let i = Math.max(0, lastAtMost(t, start)); i < count && t[i]! <= end; i++) {
+    const size = Math.hypot(force[3 * i]!, force[3 * i + 1]!, force[3 * i + 2]!);
     if (size > most) [best, most] = [i, size];
   }
   return best;
@@ -31,9 +31,9 @@ export function strongestSample({ t, force, count }: Round, start: number, end: 
 
 /** Returns the segments of an arrow along the force at a sample, with a dashed shaft for a true push. */
 export function makeArrow({ tool, force }: Round, i: number, isTrue: boolean): number[] {
-  const along = new Vector3().fromArray(force.data, 3 * i);
+  const along = new Vector3().fromArray(force, 3 * i);
   const length = Math.min(ARROW_M.most, Math.max(ARROW_M.least, METRES_PER_N * along.length()));
-  const from = new Vector3().fromArray(tool.data, 7 * i);
+  const from = new Vector3().fromArray(tool, 7 * i);
   const way = along.normalize();
   const tip = from.clone().addScaledVector(way, length);
   const aside = new Vector3(Math.abs(way.x) < 0.7 ? 1 : 0, Math.abs(way.x) < 0.7 ? 0 : 1, 0).cross(way).normalize();

@@ -25,7 +25,7 @@ export class Painter {
   private rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, alpha: !this.software, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, stencil: true, antialias: !this.software, alpha: !this.software, powerPreference: "high-performance" });
     // The check for shader errors would wait until all shaders are compiled.
     this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;

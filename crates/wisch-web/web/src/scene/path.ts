@@ -1,13 +1,13 @@
 // The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
-import { Color, Group, Vector3 } from "three";
-import { Column, lastAtMost } from "../columns.ts";
+import { Color, Group, Vector3, type Object3D } from "three";
+import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { dotTexture, makeDots, type Dots } from "./dots.ts";
 import { normalUnder } from "./bend.ts";
 import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
 import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
-import { disposeAll, matrix } from "./solids.ts";
+import { matrix, tint } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import { LEAST_SAMPLES, type Contact, type Round } from "../round.ts";
 
@@ -31,7 +31,7 @@ export class Path {
   readonly object = new Group();
   readonly ribbon: Ribbon;
   private readonly lines = new GrowingSegments(3, palette());
-  private readonly times = new Column(true);
+  private readonly times: number[] = [];
   private taken = 0;
   private step = STEP_M;
   private last: Vector3 | null = null;
@@ -46,7 +46,7 @@ export class Path {
 
   show(time: number, layers: { path: boolean; ribbon: boolean }): void {
     this.grow();
-    const shown = lastAtMost(this.times.data, time, this.times.length) + 1;
+    const shown = lastAtMost(this.times, time) + 1;
     this.lines.show(layers.path ? shown : 0);
     this.ribbon.show(time, layers.ribbon);
   }
@@ -56,18 +56,13 @@ export class Path {
     this.ribbon.paint();
   }
 
-  dispose(): void {
-    this.lines.dispose();
-    this.ribbon.dispose();
-  }
-
   /** Returns the ends of the path's segments between two times. */
   between(from: number, to: number): number[] {
     const ends: number[] = [];
     const { round } = this;
     const step = Math.max(1, Math.floor(round.count / 20000));
     let before: Vector3 | null = null;
-    for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t.data[i]! <= to; i += step) {
+    for (let i = Math.max(0, round.place(from)[0]); i < round.count && round.t[i]! <= to; i += step) {
       const { place } = this.place(i);
       if (before) ends.push(...before.toArray(), ...place.toArray());
       before = place;
@@ -79,19 +74,18 @@ export class Path {
    * of several; null beyond `within` [pixels]. */
   nearest(toScreen: (place: Vector3) => { x: number; y: number }, x: number, y: number, until: number, within: number, pressed: boolean): number | null {
     let [best, time] = [within ** 2, null as number | null];
-    for (let k = 0; k < this.times.length && this.times.data[k]! <= until; k++) {
-      if (pressed && !this.round.isPressed(this.times.data[k]!)) continue;
+    for (let k = 0; k < this.times.length && this.times[k]! <= until; k++) {
+      if (pressed && !this.round.isPressed(this.times[k]!)) continue;
       const at = toScreen(this.lines.end(k));
       const away = (at.x - x) ** 2 + (at.y - y) ** 2;
-      if (away <= best) [best, time] = [away, this.times.data[k]!];
+      if (away <= best) [best, time] = [away, this.times[k]!];
     }
     return time;
   }
 
   /** Returns the place of the tool at a sample, slightly over it, and the normal of the surface there. */
   private place(i: number): { place: Vector3; normal: Vector3 } {
-    const { data } = this.round.tool;
-    const place = new Vector3(data[7 * i]!, data[7 * i + 1]!, data[7 * i + 2]!);
+    const place = new Vector3().fromArray(this.round.tool, 7 * i);
     const normal = normalUnder(this.round.plan.surface, place);
     return { place: place.addScaledVector(normal, 1.5 * ABOVE), normal };
   }
@@ -102,7 +96,7 @@ export class Path {
     const height = round.height.data[i]!;
     const foot = Number.isFinite(height) ? place.clone().addScaledVector(normal, -height) : place;
     const reference = round.target ?? Math.max(REFERENCE_N, round.normal.largest);
-    this.ribbon.push(round.t.data[i]!, foot, normal, round.normal.data[i]!, { step, reference });
+    this.ribbon.push(round.t[i]!, foot, normal, round.normal.data[i]!, { step, reference });
   }
 
   private restart(): void {
@@ -121,7 +115,7 @@ export class Path {
     const settled = round.over || round.interpreted ? round.count : round.count - LEAST_SAMPLES + 1;
     while (this.taken < settled) {
       const i = this.taken++;
-      const time = round.t.data[i]!;
+      const time = round.t[i]!;
       const at = this.place(i);
       const { place } = at;
       if (!Number.isFinite(place.x + place.y + place.z)) continue;
@@ -167,42 +161,26 @@ const TRACK_COLOURS = 6;
 /** Returns the name of the i-th default colour. */
 export const trackName = (i: number): string => `track-${(i % TRACK_COLOURS) + 1}`;
 
-export class Trajectories {
-  readonly group = new Group();
+/** Makes the lines of queried trajectories, with dots at their samples. */
+export const makeTrajectories = (list: readonly Trajectory[]): Object3D[] => list.flatMap(({ points, samples, color }, i) => {
+  // Drawn after the translucent highlight of the same path, and nearer than that path.
+  const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
+  material.color.set(safeColour(color, i));
+  const line = segments(chain(points, false), material);
+  line.renderOrder = 6;
+  return samples?.length ? [line, dots(samples, safeColour(color, i))] : [line];
+});
 
-  show(list: Trajectory[]): void {
-    disposeAll(this.group);
-    list.forEach(({ points, samples, color }, i) => {
-      // Drawn after the translucent highlight of the same path, and nearer than that path.
-      const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
-      material.color.set(safeColour(color, i));
-      const line = segments(chain(points, false), material);
-      line.renderOrder = 6;
-      this.group.add(line);
-      if (samples?.length) this.group.add(dots(samples, safeColour(color, i)));
-    });
-  }
-}
-
-/** Axes of queried frames, each with a dot at its origin in the colour of the query. */
-export class Axes {
-  readonly group = new Group();
-
-  show(list: ShownFrame[]): void {
-    disposeAll(this.group);
-    for (const { pose, color } of list) {
-      const worldFromFrame = matrix(pose);
-      const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
-      for (const [k, name] of (["axis-x", "axis-y", "axis-z"] as const).entries()) {
-        const material = new LineMaterial({ linewidth: 3.5 });
-        material.color.set(colour(name));
-        const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
-        this.group.add(segments([...origin, ...end], material));
-      }
-      this.group.add(dots([origin], hexOr(color, colour("axis-z"))));
-    }
-  }
-}
+/** Makes the axes of queried frames, each with a dot at its origin in the colour of the query. */
+export const makeAxes = (list: readonly ShownFrame[]): Object3D[] => list.flatMap(({ pose, color }) => {
+  const worldFromFrame = matrix(pose);
+  const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
+  const axes = ["axis-x", "axis-y", "axis-z"].map((name, k) => {
+    const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
+    return segments([...origin, ...end], tint(new LineMaterial({ linewidth: 3.5 }), name));
+  });
+  return [...axes, dots([origin], hexOr(color, colour("axis-z")))];
+});
 
 /** Makes dots of a colour. */
 function dots(places: readonly [number, number, number][], color: string): Dots {

@@ -1,29 +1,25 @@
 // What a plan is compared with: the strokes of a rejected plan as thin lines, and on the floor the rated base poses.
-import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3 } from "three";
-import type { BufferGeometry, CanvasTexture } from "three";
+import {
+  Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Shape, ShapeGeometry, Sprite, SpriteMaterial, Vector3,
+  type BufferGeometry, type CanvasTexture,
+} from "three";
 import { REACH_BANDS, reachBand } from "../bases.ts";
 import { colour } from "../theme.ts";
 import type { Places, RatedBases, RoundPiece } from "../recording.ts";
 import { liftLine } from "./bend.ts";
 import { drawTexture } from "./dots.ts";
 import { LineMaterial, chain, segments, setSegments } from "./lines.ts";
-import { disposeAll, placeAt, shiftDepth } from "./solids.ts";
+import { disposeAll, placeAt, shiftDepth, tint } from "./solids.ts";
 import { ABOVE, corners } from "./surface.ts";
 
 export class RejectedStrokes {
   readonly group = new Group();
   /** Lines, and a rim that sets them off from what lies below. */
-  private readonly lines = ["paper", "rejected"].map((name, i) => segments([], Object.assign(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), { name })));
+  private readonly lines = ["paper", "rejected"].map((name, i) => segments([], tint(new LineMaterial({ linewidth: 4 - 2 * i, polygonOffset: true, polygonOffsetFactor: -7 - i, polygonOffsetUnits: -7 - i }), name)));
   private shown: readonly Places[] | null = null;
 
   constructor() {
     this.group.add(...this.lines);
-    this.paint();
-  }
-
-  /** Number of drawn strokes, for measurements. */
-  get count(): number {
-    return this.group.visible ? this.shown?.length ?? 0 : 0;
   }
 
   /** Shows strokes over a surface; null hides them. */
@@ -34,10 +30,6 @@ export class RejectedStrokes {
     placeAt(this.group, pose);
     const ends = lines.flatMap((line) => chain(liftLine(shape, corners(line, 2.5 * ABOVE), false), false));
     for (const line of this.lines) setSegments(line, ends);
-  }
-
-  paint(): void {
-    for (const { material } of this.lines) material.color.set(colour(material.name));
   }
 }
 

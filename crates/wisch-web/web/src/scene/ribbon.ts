@@ -1,7 +1,7 @@
 // The measured normal force along the path in contact: a band on the surface. Its width is the force, its colour compares the
 // force with the target. It ends where contact is lost.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshBasicMaterial, Vector3 } from "three";
-import { Column, lastAtMost } from "../columns.ts";
+import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 
 /** Shares of the target force between which the force counts as on target [1]. */
@@ -41,7 +41,7 @@ export class Ribbon {
     vertexColors: true, side: DoubleSide, transparent: true, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -8, polygonOffsetUnits: -8,
   }));
   /** Times at which the segments end, within the round [s]. */
-  readonly times = new Column(true, 64);
+  readonly times: number[] = [];
   /** Degrees of the segments. */
   readonly degrees: number[] = [];
   private readonly corners: BufferAttribute;
@@ -100,7 +100,7 @@ export class Ribbon {
   /** Shows the segments up to a time, and those of the selected interval. */
   show(time: number, visible: boolean): void {
     const until = Math.max(time, this.selected?.[1] ?? -Infinity);
-    const count = lastAtMost(this.times.data, until, this.times.length) + 1;
+    const count = lastAtMost(this.times, until) + 1;
     this.mesh.visible = visible && count > 0;
     this.mesh.geometry.setDrawRange(0, 6 * count);
   }
@@ -111,30 +111,16 @@ export class Ribbon {
     for (let i = 0; i < this.times.length; i++) this.colour(i);
   }
 
-  /** Number of drawn segments, and how many of them are lit, for measurements. */
-  get counts(): { drawn: number; lit: number } {
-    const drawn = this.mesh.visible ? this.mesh.geometry.drawRange.count / 6 : 0;
-    return { drawn, lit: Array.from({ length: drawn }, (_, i) => i).filter((i) => this.isLit(i)).length };
-  }
-
   paint(): void {
     this.palette = [...FORCES.map((degree) => degree.colour), "contact"].map((name) => new Color(colour(name)));
     for (let i = 0; i < this.times.length; i++) this.colour(i);
   }
 
-  dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
-
-  private isLit(i: number): boolean {
-    const [from, to] = this.selected ?? [-Infinity, Infinity];
-    return this.times.data[i]! >= from && this.times.data[i]! <= to;
-  }
-
   private colour(i: number): void {
     const { r, g, b } = this.palette[this.degrees[i]!]!;
-    for (let k = 0; k < 4; k++) this.colours.setXYZW(4 * i + k, r, g, b, this.isLit(i) ? 1 : FADED);
+    const [from, to] = this.selected ?? [-Infinity, Infinity];
+    const opacity = this.times[i]! >= from && this.times[i]! <= to ? 1 : FADED;
+    for (let k = 0; k < 4; k++) this.colours.setXYZW(4 * i + k, r, g, b, opacity);
     this.colours.needsUpdate = true;
   }
 }

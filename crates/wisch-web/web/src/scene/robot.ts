@@ -1,5 +1,5 @@
 // The robot at given joint positions, solid or as a ghost, with its tool.
-import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Vector3, type BufferGeometry, type Material } from "three";
+import { Group, Matrix4, Mesh, MeshLambertMaterial, NotEqualStencilFunc, ReplaceStencilOp, Vector3, type BufferGeometry, type Material } from "three";
 import { makeBody } from "./body.ts";
 import type { Finish } from "./shell.ts";
 import { geometryOf, matrix } from "./solids.ts";
@@ -24,16 +24,16 @@ export interface RobotMaterials {
 /** Returns materials that draw everything as one. */
 const allAs = (look: Material): RobotMaterials => ({ body: look, arm: look, joint: look, ring: look, handle: look, collision: look, tool: look, coloured: () => look });
 
-/** Makes a translucent copy of a robot at a time. The depths of all ghosts are drawn before their colours: only the parts that are
- * nearest to the camera are visible, also where ghosts overlap. */
-export function makeGhost(head: Head, meshes: MeshRecord[], shared: Robot, color: string, ...place: Parameters<Robot["show"]>): Group {
-  const look = new MeshLambertMaterial({ color, transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
-  return new Group().add(...[new MeshBasicMaterial({ transparent: true, colorWrite: false }), look].map((material, i) => {
-    const ghost = new Robot(head, meshes, allAs(material), shared);
-    ghost.show(...place);
-    ghost.order = 10 + i;
-    return ghost.group;
-  }));
+/** Makes a translucent copy of a robot, the `i`-th one, which hides no other. It marks the pixels that it has coloured in the
+ * stencil, and colours each only once: its parts do not show through each other. */
+export function makeGhost(head: Head, meshes: MeshRecord[], shared: Robot, color: string, i: number, ...place: Parameters<Robot["show"]>): Group {
+  const ghost = new Robot(head, meshes, allAs(new MeshLambertMaterial({
+    color, transparent: true, opacity: 0.22, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2,
+    stencilWrite: true, stencilRef: 1 + (i % 255), stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp,
+  })), shared);
+  ghost.show(...place);
+  ghost.order = 10 + i;
+  return ghost.group;
 }
 
 interface Part { geometry: BufferGeometry; linkFromPart: Matrix4; look: Finish | Rgba }
@@ -118,11 +118,6 @@ export class Robot {
       }
     });
     for (const mesh of this.collision) mesh.visible = shown;
-  }
-
-  /** Number of triangles of the robot and its tool, without collision shapes. */
-  get triangles(): number {
-    return [this.tool.geometry, ...this.parts.flat().map(({ geometry }) => geometry)].reduce((sum, { index, attributes }) => sum + (index?.count ?? attributes.position!.count) / 3, 0);
   }
 
   /** Place in the order in which things are drawn: what is translucent comes after what lies behind it. */

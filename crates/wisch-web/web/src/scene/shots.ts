@@ -69,7 +69,7 @@ export class Shots {
     if (after && time >= Math.max(to - LEAD_S, Math.min(middle, to))) return this.stroke(after);
     if (before && next !== 0 && time < Math.min(from + LEAD_S, middle)) return this.stroke(before);
     // A live run does not have the samples of the whole motion yet, but it leads from one planned stroke to another.
-    const measured = [from, middle, to].filter((instant) => round.over || instant <= round.t.last);
+    const measured = [from, middle, to].filter((instant) => round.over || instant <= round.t.at(-1)!);
     const ends = [before, after].flatMap((phase) => (phase ? strokePoints(round, phase) : []));
     return { key: `${round.number} free ${from}`, points: [...(measured.length ? measured : [time]).flatMap((instant) => this.all(instant)), ...ends] };
   }
@@ -86,7 +86,7 @@ export class Shots {
   /** Middles of the strokes, at most MOMENTS of them, as far as the round has samples [s]. */
   private get contacts(): number[] {
     const { count, t, plan } = this.still.round;
-    const middles = plan.phases.filter(({ contact, end }) => contact && count > 0 && end <= t.last).map(({ start, end }) => (start + end) / 2);
+    const middles = plan.phases.filter(({ contact, end }) => contact && count > 0 && end <= t.at(-1)!).map(({ start, end }) => (start + end) / 2);
     const step = Math.max(1, middles.length / MOMENTS);
     return Array.from({ length: Math.min(MOMENTS, middles.length) }, (_, i) => middles[Math.floor(i * step)]!);
   }

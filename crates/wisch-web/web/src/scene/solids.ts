@@ -1,9 +1,10 @@
 // Converts shapes to geometries and poses to matrices.
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, CylinderGeometry, Matrix4, Quaternion, SphereGeometry, Vector3,
+  type Color, type Material, type Mesh, type Object3D, type Texture,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
-import type { Material, Mesh, Object3D, Texture } from "three";
+import { colour } from "../theme.ts";
 import { PER_METRE } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 
@@ -24,15 +25,44 @@ export function placeAt<O extends Object3D>(object: O, pose: Pose): O {
   return object;
 }
 
+/** A material with a colour. */
+type Coloured = Material & { color: Color; map?: Texture | null };
+
+/** Gives a material a colour of the page, and its name, by which `paint` finds it. */
+export function tint<M extends Coloured>(material: M, name: string): M {
+  material.name = name;
+  material.color.set(colour(name));
+  return material;
+}
+
+type Drawn = Mesh<BufferGeometry, Coloured> & { dispose?: () => void };
+
+/** Returns an object and all below it that are drawn. */
+function drawnIn(object: Object3D): Drawn[] {
+  const drawn: Drawn[] = [];
+  object.traverse((part) => { if ("material" in part) drawn.push(part as Drawn); });
+  return drawn;
+}
+
+/** Gives all materials of an object that have names of colours the colours of the theme. */
+export function paint(object: Object3D): void {
+  for (const { material } of drawnIn(object)) if (material.name) tint(material, material.name);
+}
+
+/** Frees the memory of an object on the graphics card. What is drawn again gets it back. */
+export function release(object: Object3D): void {
+  for (const part of drawnIn(object)) {
+    part.dispose?.();
+    part.geometry.dispose();
+    part.material.map?.dispose();
+    part.material.dispose();
+  }
+}
+
 /** Removes all that a group draws, and frees its memory on the graphics card. */
 export function disposeAll(group: Object3D): void {
-  for (const child of [...group.children] as (Mesh<BufferGeometry, Material & { map?: Texture | null }> & { dispose?: () => void })[]) {
-    child.dispose?.();
-    child.geometry.dispose();
-    child.material.map?.dispose();
-    child.material.dispose();
-    group.remove(child);
-  }
+  release(group);
+  group.clear();
 }
 
 /** Scales the depth of a material by a factor: below 1 it is drawn nearer, above 1 farther. */

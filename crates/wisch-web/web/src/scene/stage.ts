@@ -1,12 +1,11 @@
 // The 3-D scene at the time of the clock, drawn only when something changes.
 import {
-  AmbientLight, Box3, Color, DirectionalLight, GridHelper, Group, HemisphereLight, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  MeshStandardMaterial, Object3D, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
+  AmbientLight, Box3, DirectionalLight, GridHelper, Group, HemisphereLight, LineBasicMaterial, Material, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  MeshStandardMaterial, PlaneGeometry, SRGBColorSpace, Scene, ShadowMaterial, Sphere, Vector3,
 } from "three";
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
-import type { BufferGeometry } from "three";
-import { Asked, type ShownParticles } from "./asked.ts";
+import { makeAsked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
 import { Dirt, type Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
@@ -14,10 +13,11 @@ import { LineMaterial, segments, setSegments } from "./lines.ts";
 import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { Axes, hexOr, Path, Trajectories, type ShownFrame, type Trajectory } from "./path.ts";
+import { hexOr, makeAxes, makeTrajectories, Path, type ShownFrame, type Trajectory } from "./path.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
 import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
+import { disposeAll, paint, release, tint } from "./solids.ts";
 import { Still } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
@@ -86,12 +86,10 @@ export class Stage {
   private readonly entered = new Map<Round, NonNullable<Stage["current"]>>();
   private shown = NOTHING_SHOWN;
   private selected: [number, number] | null = null;
-  private readonly highlights = segments([], new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }));
-  private readonly trajectories = new Trajectories();
-  private readonly axes = new Axes();
+  private readonly highlights = segments([], tint(new LineMaterial({ linewidth: 8, transparent: true, opacity: 0.75, depthWrite: false }), "highlight"));
+  private readonly queried = new Group();
   private readonly dirt = new Dirt();
   private readonly map = new SurfaceMap();
-  private readonly asked = new Asked();
   private readonly force = new Force();
   private readonly marks = new Marks();
   private readonly rejected = new RejectedStrokes();
@@ -111,16 +109,6 @@ export class Stage {
   /** Is called after each frame, while the canvas still has it. */
   onDrawn: (() => void) | null = null;
 
-  /** Number of drawn ghosts, for measurements. */
-  get ghostCount(): number {
-    return this.ghosts.children.length;
-  }
-
-  /** The chosen stroke, and the numbers of drawn rejected strokes and base poses, for measurements. */
-  get reasons(): { stroke: number | null; rejected: number; bases: number } {
-    return { stroke: this.chosenNow?.stroke ?? null, rejected: this.rejected.count, bases: this.bases.places.length };
-  }
-
   /** `left` is called when the camera stops following because a user moves it. */
   constructor(readonly canvas: HTMLCanvasElement, private readonly recording: Recording, private readonly left: () => void) {
     this.painter = new Painter(canvas);
@@ -138,7 +126,7 @@ export class Stage {
       return material;
     };
     this.materials = { body: matte(0.6), arm: matte(0.5), joint: matte(0.45), ring: matte(0.4), handle: matte(0.4), collision: new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.35 }), tool: new MeshLambertMaterial(), coloured, own };
-    this.scene.add(this.dirt.group, this.map.mesh, this.asked.group, this.force.group, this.marks.group, this.trajectories.group, this.axes.group, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
+    this.scene.add(this.dirt.group, this.map.mesh, this.force.group, this.marks.group, this.queried, this.highlights, this.ghosts, this.rejected.group, this.bases.group);
     this.camera = new Camera(canvas, () => this.ask(), () => this.leave());
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.paint();
@@ -232,32 +220,24 @@ export class Stage {
     this.ask();
   }
 
-  /** Number of drawn and of lit segments of the force along the path, for measurements. */
-  get ribbon(): { drawn: number; lit: number } {
-    return this.current?.path.ribbon.counts ?? { drawn: 0, lit: 0 };
-  }
-
   /** Shows data of a query instead of those before. */
   showData(shown: Shown): void {
     this.shown = shown;
-    this.trajectories.show(shown.trajectories);
-    this.asked.show(shown.particles);
-    this.axes.show(shown.frames);
+    disposeAll(this.queried);
+    for (const one of [...makeTrajectories(shown.trajectories), ...makeAsked(shown.particles), ...makeAxes(shown.frames)]) this.queried.add(one);
     this.makeGhosts();
     this.drawHighlights();
     this.ask();
   }
 
   private makeGhosts(): void {
-    // The geometries are those of the robot.
-    this.ghosts.traverse((part) => { if (part instanceof Mesh) (part.material as Material).dispose(); });
-    this.ghosts.clear();
+    disposeAll(this.ghosts);
     const { head, meshes } = this.recording;
     if (!head || !this.robot) return;
-    for (const { time, color } of this.shown.ghosts) {
+    for (const [i, { time, color }] of this.shown.ghosts.entries()) {
       const instant = this.recording.at(time);
       if (!instant) continue;
-      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), instant.round.plan.root, instant.q, instant.tool));
+      this.ghosts.add(makeGhost(head, meshes, this.robot, hexOr(color, colour("ghost")), i, instant.round.plan.root, instant.q, instant.tool));
     }
   }
 
@@ -265,13 +245,10 @@ export class Stage {
     for (const [part, name] of Object.entries(ROBOT_COLOURS)) (this.materials[part as keyof typeof ROBOT_COLOURS] as MeshStandardMaterial).color.set(colour(name));
     this.painter.paint();
     this.showData(this.shown);
-    this.highlights.material.color.set(colour("highlight"));
-    if (this.grid) (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    paint(this.scene);
     this.dirt.paint();
-    this.force.paint();
-    this.rejected.paint();
     for (const { still, path } of this.entered.values()) {
-      still.paint();
+      paint(still.group);
       path.paint();
     }
     this.ask();
@@ -286,10 +263,7 @@ export class Stage {
   destroy(): void {
     frames.drop(this.moved);
     this.camera.controls.dispose();
-    for (const { still, path } of this.entered.values()) {
-      still.dispose();
-      path.dispose();
-    }
+    for (const { still, path } of this.entered.values()) for (const one of [still.group, path.object]) release(one);
     this.painter.destroy();
   }
 
@@ -342,8 +316,7 @@ export class Stage {
     for (const [oldest, { still, path }] of this.entered) {
       if (this.entered.size <= KEPT_ROUNDS) break;
       this.entered.delete(oldest);
-      still.dispose();
-      path.dispose();
+      for (const one of [still.group, path.object]) release(one);
     }
     this.current = kept;
     this.scene.add(kept.still.group, kept.path.object);
@@ -398,8 +371,7 @@ export class Stage {
     this.grid = new GridHelper(cells / 2, cells);
     this.grid.rotation.x = Math.PI / 2;
     this.grid.position.set(Math.round(center.x), Math.round(center.y), 0);
-    Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 });
-    (this.grid.material as Material & { color: Color }).color.set(colour("rule"));
+    tint(Object.assign(this.grid.material, { vertexColors: false, transparent: true, opacity: 0.7 }) as LineBasicMaterial, "rule");
     this.ground.scale.setScalar(cells / 2);
     this.ground.position.set(this.grid.position.x, this.grid.position.y, -0.001);
     this.ground.receiveShadow = true;
@@ -419,9 +391,7 @@ export class Stage {
     sky.position.set(0, 0, 1);
     this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));
     for (const [axis, name] of [[[1, 0, 0], "axis-x"], [[0, 1, 0], "axis-y"], [[0, 0, 1], "axis-z"]] as const) {
-      const material = new LineMaterial({ linewidth: 2.5 });
-      material.color.set(colour(name));
-      this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], material));
+      this.scene.add(segments([0, 0, 0.002, ...axis.map((v) => 0.25 * v)], tint(new LineMaterial({ linewidth: 2.5 }), name)));
     }
   }
 }

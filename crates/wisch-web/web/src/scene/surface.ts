@@ -1,15 +1,13 @@
 // The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
 import {
-  CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Material, Mesh, MeshLambertMaterial,
-  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3,
+  CircleGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3, type BufferGeometry, type Material,
 } from "three";
-import type { BufferGeometry } from "three";
-import { colour } from "../theme.ts";
 import { metres } from "../particles.ts";
 import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
 import { sheetOf } from "./sheet.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
-import { geometryOf, placeAt, shiftDepth } from "./solids.ts";
+import { geometryOf, placeAt, shiftDepth, tint } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
 import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
 import { woodTexture } from "./wood.ts";
@@ -46,8 +44,6 @@ export class Still {
   private readonly outlines = new Map<Pose, Group>();
   private readonly strokes: ReturnType<typeof segments>[] = [];
   private readonly strokeGroup = new Group();
-  private readonly materials: Material[] = [];
-  private readonly geometries: BufferGeometry[] = [];
 
   constructor(readonly round: Round, { head, meshes }: Recording) {
     const { plan } = round;
@@ -56,21 +52,18 @@ export class Still {
       const geometry = geometryOf(solid, meshes);
       const obstacle = part === "obstacle";
       // Furniture is drawn farther, so that a surface that was found below its top stays visible.
-      const body = new Mesh(geometry, this.keep(shiftDepth(new MeshLambertMaterial(), 1.015), obstacle ? "obstacle" : "carrier"));
+      const body = new Mesh(geometry, tint(shiftDepth(new MeshLambertMaterial(), 1.015), obstacle ? "obstacle" : "carrier"));
       body.receiveShadow = body.castShadow = true;
       if (obstacle) this.obstacles.push(body);
-      const edges = this.own(new EdgesGeometry(geometry, 30));
-      const edge = new LineSegments(edges, this.keep(shiftDepth(new LineBasicMaterial({ transparent: true, opacity: 0.4 }), 1.01), "obstacle-line"));
-      if (solid.kind !== "mesh") this.geometries.push(geometry);
+      const edge = new LineSegments(new EdgesGeometry(geometry, 30), tint(shiftDepth(new LineBasicMaterial({ transparent: true, opacity: 0.4 }), 1.01), "obstacle-line"));
       this.bodies.add(placeAt(body, solid.pose));
       this.group.add(placeAt(edge, solid.pose));
     }
     this.addSurface(WOODEN.test(head?.task?.surface ?? ""));
     this.addGoal();
     plan.strokes.forEach((stroke) => {
-      const material = this.keep(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
+      const material = tint(new LineMaterial({ linewidth: 6, transparent: true, opacity: 0.35 }), "stroke");
       const line = segments(chain(liftLine(plan.surface.shape, corners(stroke, 2 * ABOVE), false), false), material);
-      this.geometries.push(line.geometry);
       this.strokes.push(line);
       this.strokeGroup.add(line);
     });
@@ -89,8 +82,7 @@ export class Still {
     this.strokeGroup.visible = layers.strokes || chosen !== null;
     this.strokes.forEach((line, i) => {
       line.visible = layers.strokes || i === chosen;
-      line.material.name = i === chosen ? "chosen" : "stroke";
-      line.material.color.set(colour(line.material.name));
+      tint(line.material, i === chosen ? "chosen" : "stroke");
       line.material.linewidth = i === chosen ? 7 : i === stroke ? 9 : 6;
       line.material.opacity = i === chosen ? 1 : i === stroke ? 0.6 : 0.35;
     });
@@ -120,29 +112,6 @@ export class Still {
     }
   }
 
-  paint(): void {
-    for (const material of this.materials) {
-      (material as Material & { color: Color }).color.set(colour(material.name));
-    }
-  }
-
-  dispose(): void {
-    for (const material of this.materials) material.dispose();
-    for (const geometry of this.geometries) geometry.dispose();
-  }
-
-  private keep<M extends Material>(material: M, name: string): M {
-    material.name = name;
-    (material as unknown as { color: Color }).color.set(colour(name));
-    this.materials.push(material);
-    return material;
-  }
-
-  private own<G extends BufferGeometry>(geometry: G): G {
-    this.geometries.push(geometry);
-    return geometry;
-  }
-
   private get rings(): Corner[][] {
     return this.round.plan.surface.rings.map((ring) => corners(ring)).filter((ring) => ring.length >= 3);
   }
@@ -154,7 +123,7 @@ export class Still {
     if (!outer) return null;
     const shape = new Shape(outer);
     shape.holes = holes.map((hole) => new Shape(hole));
-    return this.own(liftGeometry(bend, new ShapeGeometry(shape)));
+    return liftGeometry(bend, new ShapeGeometry(shape));
   }
 
   /** Returns points over corners and middle of the surface in the world, which are to be seen [m]. */
@@ -172,27 +141,23 @@ export class Still {
     const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 });
     // A curved surface has no texture coordinates.
     if (wooden && !shape) material.map = woodTexture();
-    this.surface = placeAt(new Mesh(face, this.keep(material, wooden ? "surface-3d" : "sheet-3d")), pose);
+    this.surface = placeAt(new Mesh(face, tint(material, wooden ? "surface-3d" : "sheet-3d")), pose);
     this.surface.receiveShadow = true;
     this.bodies.add(this.surface);
     const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring, true), true));
-    const outline = segments(ends, this.keep(new LineMaterial({ linewidth: 2 }), "outline"));
-    this.geometries.push(outline.geometry);
-    this.group.add(placeAt(outline, pose));
+    this.group.add(placeAt(segments(ends, tint(new LineMaterial({ linewidth: 2 }), "outline")), pose));
   }
 
-  /** Draws the surface at another pose: as a dashed outline, or with `tint` > 0 as a filled outline of that opacity. */
-  private outlineAt(pose: Pose, shape: Bend, name: string, tint: number): Group {
+  /** Draws the surface at another pose: as a dashed outline, or with `filled` > 0 as a filled outline of that opacity. */
+  private outlineAt(pose: Pose, shape: Bend, name: string, filled: number): Group {
     const group = placeAt(new Group(), pose);
-    const line = this.keep(new LineMaterial({ linewidth: tint ? 3 : 2 }), name);
-    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (tint ? 1 : 2) * ABOVE]), true), true));
-    const outline = segments(tint ? ends : cutDashes(ends, TRUE_DASH_M), line);
-    this.own(outline.geometry);
-    group.add(outline);
-    const face = tint ? this.face() : null;
+    const line = tint(new LineMaterial({ linewidth: filled ? 3 : 2 }), name);
+    const ends = this.rings.flatMap((ring) => chain(liftLine(shape, ring.map(([x, y, z]) => [x, y, z + (filled ? 1 : 2) * ABOVE]), true), true));
+    group.add(segments(filled ? ends : cutDashes(ends, TRUE_DASH_M), line));
+    const face = filled ? this.face() : null;
     if (face) {
-      const material = new MeshLambertMaterial({ transparent: true, opacity: tint, depthWrite: false });
-      group.add(new Mesh(face, this.keep(material, name)));
+      const material = new MeshLambertMaterial({ transparent: true, opacity: filled, depthWrite: false });
+      group.add(new Mesh(face, tint(material, name)));
     }
     return group;
   }
@@ -205,8 +170,7 @@ export class Still {
     const flat = (geometry: BufferGeometry, opacity: number, name: string) => {
       const material = new MeshLambertMaterial({ transparent: true, opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -3, polygonOffsetUnits: -3 });
       geometry.translate(x, y, ABOVE);
-      const mesh = new Mesh(this.own(liftGeometry(surface.shape, geometry)), this.keep(material, name));
-      group.add(mesh);
+      group.add(new Mesh(liftGeometry(surface.shape, geometry), tint(material, name)));
     };
     flat(new CircleGeometry(goal.radius, 48), 0.22, "goal");
     flat(new RingGeometry(Math.max(0, goal.radius - 0.003), goal.radius, 48), 1, "goal-line");

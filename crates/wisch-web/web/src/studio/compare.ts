@@ -1,5 +1,5 @@
 // Two recordings on one clock: their curves in the same plots, and a table of what differs.
-import { DASH, clockText, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
+import { DASH, clockText, countNames, el, estimateText, fixed, formatKnown, makeTable, percent, svg, svgText } from "../dom.ts";
 import { throttle } from "../frames.ts";
 import { ticks } from "../timeline/frame.ts";
 import { stateOf } from "../words.ts";
@@ -42,20 +42,13 @@ export function contactWay({ rounds }: Recording): number | null {
   if (!rounds.some(({ count }) => count)) return null;
   let way = 0;
   for (const round of rounds) {
-    const { data } = round.tool;
+    const { tool } = round;
     for (let i = 1; i < round.count; i++) {
-      const step = Math.hypot(...[0, 1, 2].map((k) => data[7 * i + k]! - data[7 * i - 7 + k]!));
-      if (Number.isFinite(step) && round.contactAt(round.t.data[i]!) === "contact") way += step;
+      const step = Math.hypot(...[0, 1, 2].map((k) => tool[7 * i + k]! - tool[7 * i - 7 + k]!));
+      if (Number.isFinite(step) && round.contactAt(round.t[i]!) === "contact") way += step;
     }
   }
   return way;
-}
-
-/** Counts the detected events by their kinds: "2 × push, 1 × landing". */
-function countEvents({ happenings }: Recording): string {
-  const counts = new Map<string, number>();
-  for (const { source, kind } of happenings) if (source === "event") counts.set(kind, (counts.get(kind) ?? 0) + 1);
-  return [...counts].map(([kind, count]) => `${count} \u00d7 ${kind}`).join(", ") || "none";
 }
 
 function factsOf(recording: Recording): Fact[] {
@@ -84,7 +77,7 @@ function factsOf(recording: Recording): Fact[] {
     { label: "Way in contact", text: formatKnown(way, (metres) => `${fixed(metres, 2)} m`), value: way, by: signed("m", 2) },
     { label: "Duration", text: clockText(recording.duration), value: recording.duration, by: signed("s", 1) },
     { label: "Largest force", text: peak > 0 ? `${fixed(peak, 1)} N` : DASH, value: peak > 0 ? peak : null, by: signed("N", 1) },
-    { label: "Events", text: countEvents(recording) },
+    { label: "Events", text: countNames(recording.happenings.flatMap(({ source, kind }) => (source === "event" ? [kind] : []))) || "none" },
     { label: "Result", text },
   ];
 }
@@ -105,7 +98,7 @@ export function envelopeOf(recording: Recording, of: (round: Round) => PlotColum
   return Array.from({ length: count }, (_, k) => {
     const [from, to] = [(k * duration) / count, ((k + 1) * duration) / count];
     const round = recording.roundAt(from);
-    if (!round?.count || from > round.start + round.t.last) return null;
+    if (!round?.count || from > round.start + round.t.at(-1)!) return null;
     const first = round.place(from - round.start)[0];
     return of(round).range(first, Math.max(first, round.place(to - round.start)[0]) + 1);
   });

@@ -14,7 +14,12 @@ export interface Listed {
   high: number | null;
   met: boolean;
   verdict: string | null;
-  collisions: number;
+  /** Target performance, in [0, 1]. */
+  target: number | null;
+  /** Begins of the rounds, since the episode began [s]. */
+  round_starts: number[];
+  /** Events of a class that follow each other closely are one. */
+  events: { class: string; start: number; end: number; count: number }[];
   has_recording: boolean;
 }
 

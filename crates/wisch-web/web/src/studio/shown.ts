@@ -2,6 +2,7 @@
 import { clockText } from "../dom.ts";
 import { colour as named } from "../theme.ts";
 import { NOTHING_SHOWN, type Shown } from "../scene/stage.ts";
+import { namePushes } from "../round.ts";
 import type { View } from "../view.ts";
 import { SAME_S, type Recording } from "../store.ts";
 import type { Answers, Mention } from "./server.ts";
@@ -72,8 +73,8 @@ export function shownOf(answers: Answers, row: number | null, id: string, record
 /** Returns the colour that a query gives, or that of highlighted data; empty for the usual colour. */
 const tint = (strong: boolean, colour: string | null): { color?: string } => (colour ? { color: colour } : strong ? { color: named("highlight") } : {});
 
-/** Returns the name of a class as words: "human collision". */
-const spaced = (name: string): string => name.replace(/([a-z])(?=[A-Z])/g, "$1 ").toLowerCase();
+/** Returns the name of a class as words: "contact loss". */
+const spaced = (name: string): string => namePushes(name.replace(/([a-z])(?=[A-Z])/g, "$1 ")).toLowerCase();
 
 /** Returns the mentions of parts of an episode, without duplicates. */
 function mentionsOf(all: Mention[], id: string, [begin, end]: [number, number]): Mention[] {
@@ -111,7 +112,7 @@ export const episodeIn = (name: string): string | null => /\d{8}-\d{6}-[0-9a-f]{
 
 /** Returns the title of an individual, or else its name without the name of its episode. */
 export const titleOf = ({ names }: Pick<Answers, "names">, name: string): string =>
-  names[name] ?? local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+  name in names ? namePushes(names[name]!) : local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
 
 /** Returns the begin of an episode, in local time. */
 export const beginText = (begun: number): string =>

@@ -1,7 +1,8 @@
 // The side panel with the list of runs and episodes.
-import { el, fixed, percent, say } from "../dom.ts";
+import { el, fixed, hasChanged, percent, say } from "../dom.ts";
 import { goalState } from "../words.ts";
 import { clearRun, type Listed, type LiveRun, type Overview } from "./server.ts";
+import { describeEvents, makeStrip } from "./strip.ts";
 import { write } from "./address.ts";
 
 /** Time without typing until the search starts [ms]. */
@@ -24,7 +25,6 @@ export class Side {
   private overview: Overview | null = null;
   private current: string[] = [];
   private picking: string | null = null;
-  private drawn = "";
 
   constructor(private readonly actions: SideActions) {
     let later: ReturnType<typeof setTimeout> | undefined;
@@ -68,10 +68,7 @@ export class Side {
   private draw(): void {
     if (!this.overview) return;
     const { list, runs, memory } = this.overview;
-    const drawn = JSON.stringify([list, runs, this.current]);
-    // Without a change, the focus stays.
-    if (drawn === this.drawn) return;
-    this.drawn = drawn;
+    if (!hasChanged(this.list, [list, runs, this.current])) return;
     const focused = (document.activeElement as HTMLElement | null)?.dataset.key;
     const parts: Node[] = [];
     const unfinished = runs.filter(({ state }) => state !== "ended");
@@ -116,9 +113,9 @@ export class Side {
   }
 
   private makeEpisode(one: Listed): HTMLElement {
-    const { performance, low, high, rounds, collisions } = one;
+    const { performance, low, high, rounds } = one;
     const facts = [formatHour(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
-    if (collisions) facts.push(`${collisions} ${collisions === 1 ? "push" : "pushes"}`);
+    if (one.events.length) facts.push(describeEvents(one));
     if (!one.has_recording) facts.push("no recording");
     if (one.verdict && !one.met) facts.push(one.verdict);
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";
@@ -126,6 +123,7 @@ export class Side {
       el("span", { class: "s-title" }, el("span", {}, one.title),
         performance === null ? null : el("b", { title: `estimated performance${interval}` }, percent(performance)),
         badge(one)),
+      makeStrip(one),
       el("span", { class: "s-what" }, facts.join(" \u00b7 "))));
   }
 }

@@ -1,5 +1,5 @@
 // The dialog that starts a run.
-import { el, say } from "../dom.ts";
+import { el, hasChanged, say } from "../dom.ts";
 import { Refused, startRun, type Scenario } from "./server.ts";
 
 const STRATEGIES = ["best", "adaptive", "grid", "rrt", "kde"];
@@ -13,7 +13,6 @@ export class StartDialog {
   private readonly path = el("input", { type: "text", placeholder: "/path/to/task.toml", "aria-label": "Task file on this machine", autocomplete: "off", spellcheck: "false" });
   private readonly fault = el("p", { class: "w-complaint", role: "alert", hidden: true });
   private busy = false;
-  private known = "";
 
   constructor(private readonly begun: (id: string) => void) {
     const own = el("form", {
@@ -41,9 +40,7 @@ export class StartDialog {
 
   /** Lists the shipped tasks. */
   setScenarios(scenarios: Scenario[]): void {
-    const key = JSON.stringify(scenarios);
-    if (key === this.known) return;
-    this.known = key;
+    if (!hasChanged(this.list, scenarios)) return;
     this.list.replaceChildren(...scenarios.map(({ name, about }) => el("li", {},
       el("div", {}, el("b", {}, name), el("p", {}, about)),
       el("button", { class: "w-button s-primary", type: "button", "data-task": name, "aria-label": `Start ${name}`, click: () => void this.start(name) }, "Start"))));

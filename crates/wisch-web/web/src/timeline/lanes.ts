@@ -3,7 +3,7 @@ import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
 import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
-import type { Happening, Round } from "../round.ts";
+import { PUSH, type Happening, type Round } from "../round.ts";
 import type { Recording } from "../store.ts";
 
 export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
@@ -91,7 +91,7 @@ function drawPushed(pen: Pen, lane: Lane, [from, to]: [number, number]): void {
 export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
   if (!round.count) return;
   const first = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start)));
-  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.last));
+  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.at(-1)!));
   let from = round.place(frame.t(first) - round.start)[0];
   for (let x = first; x <= last; x++) {
     const to = round.place(frame.t(x + 1) - round.start)[0];
@@ -100,9 +100,12 @@ export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from:
   }
 }
 
+/** Marks of events, about the places where they begin [pixels], by the names of their colours. Their shapes differ too. */
+export const MARKS = { collision: "M-6 5.5H6L0 -6z", hand: "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0", event: "M-4 -4h8v8h-8z" };
+
 /** Returns the name of an event's colour. */
-export const eventColour = ({ source, kind }: Happening): string =>
-  source === "push" ? "actual" : kind === "push" ? "collision" : kind === "hand guiding" ? "hand" : "event";
+export const eventColour = ({ source, kind }: Happening): keyof typeof MARKS | "actual" =>
+  source === "push" ? "actual" : kind === PUSH ? "collision" : kind === "hand guiding" ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
   fillLane(pen, frame, lane);
@@ -113,7 +116,7 @@ export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Record
     const [from, to] = place;
     const name = eventColour(event);
     pen.fillStyle = pen.strokeStyle = colour(name);
-    if (event.source === "push") {
+    if (name === "actual") {
       pen.lineWidth = 1.5;
       pen.setLineDash(TRUTH_DASH);
       pen.strokeRect(from + 0.5, lane.top + 1.5, Math.max(2, to - from - 1), lane.height - 3);
@@ -121,22 +124,17 @@ export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Record
       continue;
     }
     pen.fillRect(from, middle - 2.5, to - from, 5);
-    drawMark(pen, name, from, middle);
+    drawMark(pen, MARKS[name], from, middle);
   }
 }
 
-/** Draws a mark whose shape also shows the kind of event: triangle, circle or square. */
-function drawMark(pen: Pen, name: string, x: number, y: number): void {
-  pen.beginPath();
-  if (name === "collision") {
-    pen.moveTo(x - 6, y + 5.5);
-    pen.lineTo(x + 6, y + 5.5);
-    pen.lineTo(x, y - 6);
-    pen.closePath();
-  } else if (name === "hand") pen.arc(x, y, 5, 0, 2 * Math.PI);
-  else pen.rect(x - 4, y - 4, 8, 8);
-  pen.fill();
+function drawMark(pen: Pen, shape: string, x: number, y: number): void {
+  const mark = new Path2D(shape);
+  pen.save();
+  pen.translate(x, y);
+  pen.fill(mark);
   pen.strokeStyle = colour("paper");
   pen.lineWidth = 1;
-  pen.stroke();
+  pen.stroke(mark);
+  pen.restore();
 }

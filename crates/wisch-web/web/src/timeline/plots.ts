@@ -46,43 +46,38 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
       pen.strokeStyle = colour(look.name);
       pen.lineWidth = 1.5;
       pen.lineJoin = "round";
-      pen.beginPath();
-      const column = of(round);
       const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 4 * frame.span;
-      if (dense) drawEnvelope(pen, frame, round, column, (value) => y(value * look.unit));
-      else drawSamples(pen, frame, round, column, (value) => y(value * look.unit));
-      pen.stroke();
+      drawCurve(pen, (dense ? findEnvelope : findSamples)(frame, round, of(round), (value) => y(value * look.unit)));
     }
   });
 }
 
-/** Draws every visible sample. */
-function drawSamples(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
-  const from = round.place(frame.from - round.start)[0];
-  const to = Math.min(round.count, round.place(frame.to - round.start)[0] + 2);
-  let down = false;
-  for (let i = from; i < to; i++) {
-    const value = column.data[i]!;
-    if (!Number.isFinite(value)) { down = false; continue; }
-    const x = frame.x(round.start + round.t.data[i]!);
-    if (down) pen.lineTo(x, y(value));
-    else pen.moveTo(x, y(value));
-    down = true;
-  }
+/** A place on the canvas; null where the curve breaks off. */
+type Point = [x: number, y: number] | null;
+
+function drawCurve(pen: Pen, points: readonly Point[]): void {
+  pen.beginPath();
+  points.forEach((point, i) => { if (point) points[i - 1] ? pen.lineTo(...point) : pen.moveTo(...point); });
+  pen.stroke();
 }
 
-/** Draws minimum to maximum of each column of pixels. */
-function drawEnvelope(pen: Pen, frame: Frame, round: Round, column: PlotColumn, y: Scale): void {
-  let down = false;
+/** Returns every visible sample. */
+function findSamples(frame: Frame, round: Round, { data }: PlotColumn, y: Scale): Point[] {
+  const from = round.place(frame.from - round.start)[0];
+  const to = Math.min(round.count, round.place(frame.to - round.start)[0] + 2);
+  return data.slice(from, to).map((value, i) => (Number.isFinite(value) ? [frame.x(round.start + round.t[from + i]!), y(value)] : null));
+}
+
+/** Returns minimum and maximum of each column of pixels. */
+function findEnvelope(frame: Frame, round: Round, column: PlotColumn, y: Scale): Point[] {
+  const points: Point[] = [];
   forEachPixel(frame, round, (x, from, to) => {
     const range = column.range(from, to + 1);
-    if (!range) { down = false; return; }
+    if (!range) return void points.push(null);
     const [top, bottom] = [y(range[1]), y(range[0])];
-    if (down) pen.lineTo(x, bottom);
-    else pen.moveTo(x, bottom);
-    pen.lineTo(x, bottom - top < 0.7 ? bottom - 0.7 : top);
-    down = true;
+    points.push([x, bottom], [x, bottom - top < 0.7 ? bottom - 0.7 : top]);
   });
+  return points;
 }
 
 /** Width of the band of the last estimate, and least width of the others [pixels]. */
@@ -125,15 +120,8 @@ function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   pen.lineWidth = 2.2;
   pen.lineCap = "round";
   pen.setLineDash(PREDICTED_DASH);
-  pen.beginPath();
-  points.forEach(([time, share], i) => {
-    const x = frame.x(round.start + Math.min(time, round.length));
-    if (i) pen.lineTo(x, y(share));
-    else pen.moveTo(x, y(share));
-  });
-  const last = points.at(-1)!;
-  if (last[0] < round.length) pen.lineTo(frame.x(round.end), y(last[1]));
-  pen.stroke();
+  // The last value holds until the end of the round.
+  drawCurve(pen, [...points, [Infinity, points.at(-1)![1]]].map(([time, share]) => [frame.x(round.start + Math.min(time!, round.length)), y(share!)]));
   pen.setLineDash([]);
   pen.lineCap = "butt";
 }
