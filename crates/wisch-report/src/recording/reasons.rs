@@ -6,7 +6,7 @@ use super::treated::TreatedPlaces;
 use crate::draw::metres;
 use serde::Serialize;
 use std::f64::consts::PI;
-use wisch::follow::Followed;
+use wisch::follow::{Followed, Placement, RatedBasePose};
 use wisch::geometry::{PlanarPose, Vector2, wrap_angle};
 use wisch::plan::{Plan, Prediction, Stroke, predict};
 use wisch::represent::{Performance, Task};
@@ -47,8 +47,9 @@ pub(super) struct Repeated {
 /// Base poses that were rated, and the indices of the chosen ones.
 #[derive(Debug, Serialize)]
 pub(super) struct RatedBases {
-    /// x, y [m], heading [rad] in the world, share of the path in reach: of the rest of the path for a later base.
-    poses: Vec<[f64; 4]>,
+    /// x, y [m] and heading [rad] in the world, and share of the path in reach; `None` for a chosen base that was not among
+    /// the rated ones.
+    poses: Vec<(f64, f64, f64, Option<f64>)>,
     chosen: Vec<usize>,
 }
 
@@ -91,7 +92,7 @@ impl Reasons {
         Self {
             without,
             another,
-            bases: followed.and_then(rate_bases),
+            bases: followed.and_then(|followed| rate_bases(&followed.rated, &followed.placements)),
             headings: (wiped.strokes.iter())
                 .map(|stroke| explain_heading(task, plan, stroke))
                 .collect(),
@@ -155,22 +156,27 @@ fn repeat_best(task: &Task, wiped: &Plan, prediction: &Prediction) -> Option<Rep
 }
 
 /// Returns the rated base poses at which the robot can stand; `None` if none was rated.
-fn rate_bases(followed: &Followed) -> Option<RatedBases> {
-    let flat = |pose: &PlanarPose, share: f64| {
+pub(super) fn rate_bases(rated: &[RatedBasePose], placements: &[Placement]) -> Option<RatedBases> {
+    let flat = |pose: &PlanarPose, share: Option<f64>| {
         let at = pose.position;
         let [x, y, heading] = [at.x, at.y, pose.heading].map(|value| round_to(value, 1e3));
-        [x, y, heading, round_to(share, 1e3)]
+        (x, y, heading, share.map(|share| round_to(share, 1e3)))
     };
-    let mut poses: Vec<[f64; 4]> = (followed.rated.iter())
-        .filter_map(|pose| Some(flat(&pose.world_from_base, pose.rating?)))
+    let mut poses: Vec<(f64, f64, f64, Option<f64>)> = (rated.iter())
+        .filter(|pose| pose.rating.is_some())
+        .map(|pose| flat(&pose.world_from_base, pose.rating))
         .collect();
     if poses.is_empty() {
         return None;
     }
     let mut chosen = Vec::new();
-    for placement in &followed.placements {
-        let pose = flat(&placement.world_from_base, placement.rating);
-        let known = poses.iter().position(|other| other[..3] == pose[..3]);
+    for placement in placements {
+        // A placement's rating is another quantity: how amply the rest of the path is reached.
+        let pose = flat(&placement.world_from_base, None);
+        let is_same = |other: &(f64, f64, f64, Option<f64>)| {
+            (other.0, other.1, other.2) == (pose.0, pose.1, pose.2)
+        };
+        let known = poses.iter().position(is_same);
         chosen.push(known.unwrap_or_else(|| {
             poses.push(pose);
             poses.len() - 1

@@ -1,7 +1,8 @@
+use super::reasons::rate_bases;
 use super::*;
 use serde_json::Value;
-use wisch::follow::{FollowConfig, follow};
-use wisch::geometry::Point2;
+use wisch::follow::{FollowConfig, Placement, RatedBasePose, follow};
+use wisch::geometry::{PlanarPose, Point2};
 use wisch::interpret::Belief;
 use wisch::plan::{Candidate, PlanConfig, PlanError, PlanScore, plan, predict};
 use wisch::represent::{Action, DirtArea, Fate, GoalState, OccupiedArea, Treatment, surface_cells};
@@ -128,6 +129,30 @@ fn a_plan_has_reasons() {
     );
     let bases = &round["bases"];
     assert_eq!(bases, &Value::Null, "the arm stands still");
+}
+
+#[test]
+fn a_base_that_was_not_rated_has_no_share_in_reach() {
+    let at = |x: f64| PlanarPose::new(Point2::new(x, 0.0), 0.0);
+    let rated =
+        [(0.0, Some(0.25)), (1.0, None), (2.0, Some(1.0))].map(|(x, rating)| RatedBasePose {
+            world_from_base: at(x),
+            rating,
+        });
+    // The rating of a placement is how amply the path is reached, and no share of it.
+    let placements = [2.0, 3.0].map(|x| Placement {
+        world_from_base: at(x),
+        rating: 0.6,
+    });
+    let bases = serde_json::to_value(rate_bases(&rated, &placements)).expect("JSON");
+    let poses = serde_json::json!([
+        [0.0, 0.0, 0.0, 0.25],
+        [2.0, 0.0, 0.0, 1.0],
+        [3.0, 0.0, 0.0, null]
+    ]);
+    assert_eq!(bases["poses"], poses);
+    assert_eq!(bases["chosen"], serde_json::json!([1, 2]));
+    assert!(rate_bases(&[], &placements).is_none());
 }
 
 #[test]

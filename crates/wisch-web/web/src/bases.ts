@@ -11,4 +11,4 @@ export const reachBand = (share: number): number => Math.min(REACH_BANDS - 1, Ma
 export const makeReachScale = (): HTMLElement =>
   el("div", { class: "w-scale w-reach" }, el("b", {}, "Base poses"),
     makeSwatches(Array.from({ length: REACH_BANDS }, (_, i) => ({ colour: `band-${i + 1}`, label: `\u2265 ${percent(i / REACH_BANDS, i % 2)}` })), "Scale in percent"),
-    el("p", {}, "share of the path that is in reach; the tip points where the base faces; ringed: chosen, in order"));
+    el("p", {}, "share of the path that is in reach; grey: chosen without being rated; the tip points where the base faces; ringed: chosen, in order"));

@@ -146,7 +146,7 @@ export interface LeftOut {
 /** Base poses that were rated, and the indices of those that were chosen, in order. */
 export interface RatedBases {
   /** x, y [m] and yaw [rad] in the world; share of the path that is in reach from there, in [0, 1]. */
-  poses: [x: number, y: number, yaw: number, share: number][];
+  poses: [x: number, y: number, yaw: number, share: number | null][];
   chosen: number[];
 }
 

@@ -58,7 +58,7 @@ const considered = has({
 const REASONS: Record<string, Check> = {
   why: list(text), considered: maybe(list(considered)), lost: maybe(finite), headings: maybe(list(text)),
   without: maybe(list(has({ stroke: finite, performance: finite, lost: finite, particles: list(finite), treated: maybe(some) }))),
-  another: maybe(has({ gain: finite, line: list(finite), way: finite })), bases: maybe(has({ poses: list(exactly(4)), chosen: list(finite) })),
+  another: maybe(has({ gain: finite, line: list(finite), way: finite })), bases: maybe(has({ poses: list(tuple(finite, finite, finite, maybe(finite))), chosen: list(finite) })),
 };
 
 /** Largest value of a treated surface, in its unit. */

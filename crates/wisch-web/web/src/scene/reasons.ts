@@ -78,6 +78,7 @@ export class BaseMap {
     disposeAll(this.group);
     const { poses, chosen } = bases;
     const bands = Array.from({ length: REACH_BANDS }, (_, i) => new Color(colour(`band-${i + 1}`)));
+    const unrated = new Color(colour("quiet"));
     const rims = this.addMarks(makeDrop(RADIUS_M + RIM_M), poses.length);
     const marks = this.addMarks(makeDrop(RADIUS_M), poses.length);
     const kept = chosen.map((i) => poses[i]).filter((pose) => pose !== undefined);
@@ -87,9 +88,9 @@ export class BaseMap {
     rings.renderOrder = 8;
     poses.forEach((pose, i) => {
       rims.setMatrixAt(i, placeOf(pose, HEIGHTS_M[0]!));
-      rims.setColorAt(i, new Color(colour("quiet")));
+      rims.setColorAt(i, unrated);
       marks.setMatrixAt(i, placeOf(pose, HEIGHTS_M[1]!));
-      marks.setColorAt(i, bands[reachBand(pose[3])]!);
+      marks.setColorAt(i, pose[3] === null ? unrated : bands[reachBand(pose[3])]!);
     });
     kept.forEach((pose, i) => {
       rings.setMatrixAt(i, placeOf(pose, HEIGHTS_M[2]!));
