@@ -182,6 +182,16 @@ The page of a run shows robot, dirt, forces and estimates on one timeline, as `w
 or of an episode or folder that came from a log, shows the tool's path, the force, the fitted plane and the estimated \
 dirt. Both pages open from disk, without a server.")]
     Report(Box<ReportArgs>),
+    /// Record the scene of a run as a video
+    #[command(after_help = "\
+Examples:
+  wisch film out/chopping-board
+  wisch film 20261122-005612-3f2a --round 2 --speed 2 --out second-round.webm
+  wisch film out/chopping-board --size 1920x1080 --browser /opt/chromium/chrome
+
+Needs Chromium, Chrome or Edge, which draws the page of the report without a window. The recording takes as long as the \
+film. The button Film of the page records the view that you choose there.")]
+    Film(FilmArgs),
     /// Query the episodic memory in Prolog
     #[command(after_help = "\
 Examples:
@@ -506,6 +516,53 @@ pub struct ReportArgs {
     /// Print one JSON object instead of the name of the file
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `film`.
+#[derive(Debug, Args)]
+pub struct FilmArgs {
+    /// Episode of the memory, or folder of results
+    #[arg(value_name = "EPISODE|FOLDER", value_hint = ValueHint::AnyPath)]
+    pub what: String,
+    /// WebM file to write [default: the name of the episode or folder, with .webm]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub out: Option<PathBuf>,
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Round to record [default: the whole run]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub round: Option<u32>,
+    /// Speed relative to the robot's clock: 1, 2, 5 or 10
+    #[arg(long, value_name = "FACTOR", default_value = "5", value_parser = film_speed)]
+    pub speed: u32,
+    /// Size of the page whose scene is recorded [pixels]
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1600x1000", value_parser = film_size)]
+    pub size: [u32; 2],
+    /// Program of the browser [default: Chromium, Chrome or Edge in PATH]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::ExecutablePath)]
+    pub browser: Option<PathBuf>,
+    /// Print one JSON object instead of a line
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Parses the speed of a film.
+fn film_speed(text: &str) -> Result<u32, String> {
+    let speed = text.parse().ok();
+    speed
+        .filter(|speed| [1, 2, 5, 10].contains(speed))
+        .ok_or_else(|| "the speed is 1, 2, 5 or 10".to_owned())
+}
+
+/// Parses the size of a page [pixels].
+fn film_size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once('x').and_then(|(width, height)| {
+        Some([width.parse::<u32>().ok()?, height.parse::<u32>().ok()?])
+    });
+    sides
+        .filter(|sides| sides.iter().all(|side| (320..=3840).contains(side)))
+        .ok_or_else(|| "a size is width and height from 320 to 3840, such as 1600x1000".to_owned())
 }
 
 /// The robot and its files.

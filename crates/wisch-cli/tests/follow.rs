@@ -180,7 +180,7 @@ fn the_humanoid_follows_the_board() {
     assert_eq!(summary(folder.path(), &again)["faults"], 0);
     let plain = summary(
         folder.path(),
-        &[&run[..], &["--robot", "none", "--force"]].concat(),
+        &[&again[..], &["--robot", "none", "--force"]].concat(),
     );
     assert!(plain.get("robot").is_none() && plain.get("abandoned_nodes").is_none());
     assert!(plain["predicted_performance"].is_number());

@@ -8,6 +8,8 @@ mod eval;
 mod executor;
 mod export;
 #[cfg(unix)]
+mod film;
+#[cfg(unix)]
 mod fleet;
 mod follow;
 mod interpret;

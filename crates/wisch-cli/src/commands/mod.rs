@@ -8,6 +8,7 @@ mod engine;
 mod eval;
 mod explain;
 mod export;
+mod film;
 mod fleet;
 mod follow;
 mod footprint;
@@ -56,6 +57,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Run(args) => run::run(args, &cli.global),
         Command::Studio(args) => studio::studio(args, &cli.global),
         Command::Report(args) => report::report(args, &cli.global),
+        Command::Film(args) => film::film(args, &cli.global),
         Command::Ask(args) => ask::ask(args, &cli.global),
         Command::Follow(args) => run::follow_only(args, &cli.global),
         Command::Plan(args) => run::plan_only(args, &cli.global),

@@ -81,6 +81,31 @@ fn name_of(name: Option<&OsStr>) -> String {
     name.and_then(OsStr::to_str).unwrap_or("report").to_owned()
 }
 
+/// Returns the page with the recording of an episode or of a folder of results, and the name of that folder.
+pub fn recording_page(what: &str, memory: &Path) -> Result<(String, String), Failure> {
+    let path = Path::new(what);
+    let folder = if path.is_dir() {
+        path.to_path_buf()
+    } else {
+        let found = Memory::open(memory).and_then(|memory| memory.episode(what));
+        let found = found.map_err(|error| {
+            Failure::new(error).with_help(
+                "name an episode of --memory, or a folder of results such as out/chopping-board",
+            )
+        })?;
+        found.folder().to_path_buf()
+    };
+    let recording = folder.join(RECORDING_FILE);
+    if !recording.is_file() {
+        return Err(Failure::new(format!(
+            "{}: the folder has no {RECORDING_FILE}",
+            folder.display()
+        ))
+        .with_help("only runs with a robot have a scene that moves; wisch run writes it"));
+    }
+    Ok((page_of(&folder)?, name_of(folder.file_name())))
+}
+
 /// Returns the page of a folder: made from its recording, else its report.html.
 fn page_of(folder: &Path) -> Result<String, Failure> {
     let recording = folder.join(RECORDING_FILE);
