@@ -23,7 +23,7 @@ pub use learn::LearnArgs;
 pub use log::{InterpretArgs, LogArgs, LoggedArgs};
 pub use memory::{
     DEFAULT_MEMORY, EpisodeArgs, ExportArgs, ImportArgs, KeepArgs, MemoryArgs, MemoryCommand,
-    MemoryListArgs, MemoryVerifyArgs,
+    MemoryHealthArgs, MemoryListArgs, MemoryVerifyArgs,
 };
 pub use present::{options_for, suggest};
 pub use robot::{

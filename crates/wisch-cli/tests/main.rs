@@ -22,6 +22,7 @@ mod learn_pools;
 mod lock_files;
 mod memory;
 mod memory_faults;
+mod memory_health;
 mod memory_import;
 mod mesh_files;
 mod patches;

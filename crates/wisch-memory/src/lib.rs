@@ -8,6 +8,7 @@ pub mod catalogue;
 mod checked_file;
 mod columns;
 pub mod frames;
+pub mod health;
 mod id;
 mod known_round;
 pub mod neem;

@@ -220,6 +220,11 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
 /// Adds what the interpretation found.
 fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Interpretation) {
     individual.estimate(interpretation);
+    let asked = task.interaction.contact_force();
+    // A tool that hovers is to press with no force.
+    if asked > 0.0 {
+        individual.set_number("semco:pressForce", asked);
+    }
     if let Some(share) = interpretation.contact_share {
         individual.set_number("semco:contactShare", share);
     }

@@ -1,6 +1,7 @@
 //! Tests of the memory, one module per part.
 
 mod frames;
+mod health;
 mod rates;
 mod store;
 mod telemetry;

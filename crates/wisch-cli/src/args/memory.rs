@@ -55,6 +55,18 @@ set the date with --start-s.")]
     #[command(after_help = "\
 Exit codes: 0 all episodes are intact, 1 some files are damaged, 2 an error.")]
     Verify(MemoryVerifyArgs),
+    /// Find drifts and sudden changes of robot, tool and surface over the episodes, and forecast their limits
+    #[command(after_help = "\
+Examples:
+  wisch memory health
+  wisch memory health --surface chopping_board --tool sponge
+  wisch memory health --json | jq '.groups[] | select(.needs_attention) | .surface'
+
+Runs of the same robot, tool, surface, dirt, press force and source are one series. \
+An answer needs five of them, and where episodes lack a value, it says so.
+
+Exit codes: 0 nothing is found that needs attention, 1 something needs attention, 2 an error.")]
+    Health(MemoryHealthArgs),
     /// Delete an episode for good
     Forget(EpisodeArgs),
     /// Export episodes as narrative-enabled episodic memories (NEEM) for KnowRob and openEASE
@@ -134,6 +146,26 @@ pub struct MemoryListArgs {
     #[command(flatten)]
     pub memory: MemoryArgs,
     /// Print one JSON object per episode instead of the table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `memory health`.
+#[derive(Debug, Args)]
+pub struct MemoryHealthArgs {
+    /// The memory.
+    #[command(flatten)]
+    pub memory: MemoryArgs,
+    /// Name of a robot, whose runs alone are assessed
+    #[arg(long, value_name = "NAME")]
+    pub robot: Option<String>,
+    /// Name of a tool, whose runs alone are assessed
+    #[arg(long, value_name = "NAME")]
+    pub tool: Option<String>,
+    /// Name of a surface, whose runs alone are assessed
+    #[arg(long, value_name = "NAME")]
+    pub surface: Option<String>,
+    /// Print one JSON object instead of the table
     #[arg(long)]
     pub json: bool,
 }

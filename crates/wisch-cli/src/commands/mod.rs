@@ -12,6 +12,7 @@ mod film;
 mod fleet;
 mod follow;
 mod footprint;
+mod health;
 mod import;
 mod interpret;
 mod interrupt;
@@ -78,6 +79,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Memory(MemoryCommand::List(args)) => memory::list(args),
         Command::Memory(MemoryCommand::Show(args)) => memory::show(args),
         Command::Memory(MemoryCommand::Verify(args)) => memory::verify(args, &cli.global),
+        Command::Memory(MemoryCommand::Health(args)) => health::health(args),
         Command::Memory(MemoryCommand::Forget(args)) => memory::forget(args, &cli.global),
         Command::Memory(MemoryCommand::Import(args)) => import::import(args, &cli.global),
         Command::Memory(MemoryCommand::Export(args)) => export::export(args, &cli.global),

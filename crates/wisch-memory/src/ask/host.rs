@@ -12,7 +12,7 @@ use super::rows::name_of;
 use super::streams::Knowledge;
 use super::telemetry_predicates::TelemetryPredicates;
 use super::term::Term;
-use super::trends::{Drift, causes, changes, drifts, series};
+use super::trends::{causes, changes, channel_of, drifts, series};
 use crate::catalogue::{Catalogue, IndividualId};
 use crate::id::{is_date, local_date_and_time};
 use crate::ontology::Ontology;
@@ -268,18 +268,18 @@ impl Host {
             }
             ("last_episode", []) => self.last_episode(),
             ("drifts", [Term::Atom(drift), from, to]) => {
-                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
+                let channel = channel_of(drift).ok_or_else(malformed)?;
                 drifts(
                     &known.catalogue,
-                    drift,
+                    channel,
                     times(from, to).ok_or_else(malformed)?,
                 )
             }
             ("changes", [Term::Atom(drift), from, to]) => {
-                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
+                let channel = channel_of(drift).ok_or_else(malformed)?;
                 changes(
                     &known.catalogue,
-                    drift,
+                    channel,
                     times(from, to).ok_or_else(malformed)?,
                 )
             }
@@ -287,8 +287,8 @@ impl Host {
                 causes(&known.catalogue, times(from, to).ok_or_else(malformed)?)
             }
             ("series", [Term::Atom(drift), Term::Atom(thing)]) => {
-                let drift = Drift::from_name(drift).ok_or_else(malformed)?;
-                series(&known.catalogue, drift, thing)
+                let channel = channel_of(drift).ok_or_else(malformed)?;
+                series(&known.catalogue, channel, thing)
             }
             ("local_time", [time]) => {
                 let time = time.as_number().ok_or_else(malformed)?;

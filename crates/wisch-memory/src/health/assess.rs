@@ -1,0 +1,424 @@
+//! Drifts, sudden changes, limits, forecasts and advice for groups of runs.
+
+use super::cause::{DriftCause, find_cause};
+use super::change::find_changes;
+use super::channel::HealthChannel;
+use super::group::{FirstRound, RunGroup};
+use super::median::median;
+use super::report::{
+    ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
+    HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
+};
+use super::slope::RobustLine;
+use wisch::interpret::EventConfig;
+
+/// Least number of episodes from which a trend is computed.
+pub const FEWEST_EPISODES: usize = 5;
+/// Largest probability of a drift or sudden change in the report of a memory in which nothing changes \[1\].
+pub const FALSE_ALARM_RATE: f64 = 0.01;
+/// Number of runs during which a sudden change needs attention; afterwards, the values since then count as usual.
+pub const NEW_CHANGE_RUNS: usize = 10;
+
+/// Least number of episodes with a test for a sudden change: four on either side.
+const FEWEST_WITH_CHANGE: usize = 8;
+/// Least mean force over the asked one \[1\]. With half the force, the assumed sponge still affects 92 % of the crumbs, with
+/// a third of it less than half.
+const LEAST_FORCE: f64 = 0.5;
+/// Least contact share \[1\]: below it, `interpret` doubts that a log shows wiping.
+const LEAST_CONTACT: f64 = 0.3;
+/// Offset \[m\] and tilt \[rad\] from which `interpret` relocalises a surface.
+const RELOCALIZE_OFFSET: f64 = 3e-3;
+const RELOCALIZE_TILT: f64 = 0.5 * std::f64::consts::PI / 180.0;
+
+/// Assesses every channel of every group. The probabilities are adjusted to the tests of all given groups.
+///
+/// ```
+/// use wisch_memory::Catalogue;
+/// use wisch_memory::health::{assess_groups, gather_groups};
+/// let report = assess_groups(&gather_groups(&Catalogue::default()));
+/// assert!(report.groups.is_empty() && !report.needs_attention);
+/// ```
+pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
+    let mut tests = Vec::new();
+    let mut courses: Vec<Vec<Option<ChannelCourse>>> = Vec::new();
+    for group in groups {
+        let of_group = HealthChannel::ALL.map(|channel| ChannelCourse::of(group, channel));
+        for course in of_group.iter().flatten() {
+            tests.extend(course.chances());
+        }
+        courses.push(of_group.into());
+    }
+    let adjusted = adjust(&tests);
+    let mut adjusted = adjusted.into_iter();
+    let groups = groups.iter().zip(courses).map(|(group, courses)| {
+        let channels = HealthChannel::ALL.into_iter().zip(courses);
+        let channels = channels.map(|(channel, course)| {
+            let recorded = group
+                .rounds
+                .iter()
+                .filter(|round| round.value(channel).is_some())
+                .count();
+            let state = match course {
+                Some(course) => {
+                    ChannelState::Assessed(Box::new(course.assess(group, &mut adjusted)))
+                }
+                None if recorded == 0 && !group.rounds.is_empty() => ChannelState::NotRecorded,
+                None => ChannelState::TooFew {
+                    needed: FEWEST_EPISODES,
+                },
+            };
+            ChannelHealth {
+                channel,
+                unit: channel.unit(),
+                recorded,
+                state,
+            }
+        });
+        describe_group(group, channels.collect())
+    });
+    let groups: Vec<GroupHealth> = groups.collect();
+    HealthReport {
+        needs_attention: groups.iter().any(|group| group.needs_attention),
+        false_alarm_rate: FALSE_ALARM_RATE,
+        tests: tests.len(),
+        groups,
+    }
+}
+
+fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth {
+    let needs_attention = channels.iter().any(|channel| match &channel.state {
+        ChannelState::Assessed(assessment) => !assessment.findings.is_empty(),
+        ChannelState::NotRecorded | ChannelState::TooFew { .. } => false,
+    });
+    let begin = |round: Option<&FirstRound>| round.map(|round| round.interval[0]);
+    GroupHealth {
+        robot: group.robot.clone(),
+        tool: group.tool.clone(),
+        surface: group.surface.clone(),
+        medium: group.medium.clone(),
+        press_force_n: group.press_force_n,
+        source: group.source,
+        runs: group.rounds.len(),
+        undated_runs: group.undated,
+        first_s: begin(group.rounds.first()),
+        last_s: begin(group.rounds.last()),
+        needs_attention,
+        channels,
+    }
+}
+
+/// Adjusts probabilities to their number (Holm 1979): with all of them true, the least of the adjusted ones is below α with
+/// a probability of α at most, however the tests depend on each other.
+#[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
+fn adjust(chances: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..chances.len()).collect();
+    order.sort_by(|a, b| chances[*a].total_cmp(&chances[*b]));
+    let mut adjusted = vec![1.0; chances.len()];
+    let mut largest: f64 = 0.0;
+    for (rank, place) in order.into_iter().enumerate() {
+        let factor = (chances.len() - rank) as f64;
+        largest = largest.max((factor * chances[place]).min(1.0));
+        adjusted[place] = largest;
+    }
+    adjusted
+}
+
+/// The course of a channel of a group, in the scale of the fit, before the probabilities are adjusted.
+struct ChannelCourse<'a> {
+    channel: HealthChannel,
+    /// The rounds that record the channel, and their values.
+    rounds: Vec<&'a FirstRound>,
+    values: Vec<f64>,
+    /// The last sudden change: first index after it, values before and after, and its probability.
+    change: Option<(usize, [f64; 2], f64)>,
+    /// First index of the part before the last sudden change.
+    before: usize,
+    /// The line since the last change, if enough runs follow it.
+    line: Option<RobustLine>,
+}
+
+impl<'a> ChannelCourse<'a> {
+    fn of(group: &'a RunGroup, channel: HealthChannel) -> Option<Self> {
+        let recorded = group.rounds.iter();
+        let recorded = recorded.filter_map(|round| Some((round, round.value(channel)?)));
+        let (rounds, values): (Vec<_>, Vec<f64>) = recorded.unzip();
+        if values.len() < FEWEST_EPISODES {
+            return None;
+        }
+        let scatter = channel.resolution();
+        let changes = find_changes(&values, scatter);
+        let since = changes.last().map_or(0, |change| change.place);
+        let earlier = changes.len().checked_sub(2).map_or(0, |k| changes[k].place);
+        let latest = RobustLine::fit(&values[since..], scatter);
+        let change = changes.last().map(|change| {
+            let [_, before] = RobustLine::fit(&values[earlier..since], scatter).ends;
+            (change.place, [before, latest.ends[0]], change.p)
+        });
+        let is_enough = values.len() - since >= FEWEST_EPISODES;
+        Some(Self {
+            channel,
+            rounds,
+            change,
+            before: earlier,
+            line: is_enough.then_some(latest),
+            values,
+        })
+    }
+
+    /// Index of the first run since the last sudden change.
+    fn since(&self) -> usize {
+        self.change.map_or(0, |(place, ..)| place)
+    }
+
+    /// Returns the probabilities of the tests of this channel: of a sudden change, and of a slope.
+    fn chances(&self) -> impl Iterator<Item = f64> {
+        let has_change_test = self.values.len() >= FEWEST_WITH_CHANGE;
+        let change = has_change_test.then(|| self.change.map_or(1.0, |(.., p)| p));
+        change
+            .into_iter()
+            .chain(self.line.as_ref().map(|line| line.p))
+    }
+
+    /// Completes the assessment. `adjusted`: the adjusted probabilities of [`Self::chances`], in the same order.
+    fn assess(
+        &self,
+        group: &RunGroup,
+        adjusted: &mut impl Iterator<Item = f64>,
+    ) -> ChannelAssessment {
+        let mut next = || adjusted.next().unwrap_or(1.0);
+        let channel = self.channel;
+        let change_p = (self.values.len() >= FEWEST_WITH_CHANGE).then(&mut next);
+        let change = self.change.map(|(place, values, p)| {
+            let [before, after] = values.map(|value| channel.unscaled(value));
+            let p_adjusted = change_p.unwrap_or(1.0);
+            SuddenChange {
+                time_s: self.rounds[place].interval[0],
+                before,
+                after,
+                p,
+                p_adjusted,
+                is_shown: p_adjusted <= FALSE_ALARM_RATE,
+            }
+        });
+        let limits = self.limits(group);
+        let trend = self
+            .line
+            .as_ref()
+            .map(|line| self.trend(line, next(), &limits));
+        let findings = self.findings(group, change.as_ref(), trend.as_ref(), &limits);
+        ChannelAssessment {
+            change,
+            runs_since: self.values.len() - self.since(),
+            trend,
+            limits,
+            findings,
+        }
+    }
+
+    fn trend(
+        &self,
+        line: &RobustLine,
+        p_adjusted: f64,
+        limits: &[Option<HealthLimit>; 2],
+    ) -> HealthTrend {
+        let channel = self.channel;
+        let [first, last] = line.ends;
+        let is_drift =
+            p_adjusted <= FALSE_ALARM_RATE && (last - first).abs() >= channel.resolution();
+        let limit = limits[usize::from(line.slope > 0.0)].as_ref();
+        let limit = limit
+            .and_then(|limit| channel.scale(limit.value))
+            .filter(|_| is_drift);
+        let [low, high] = [last - line.uncertainty, last + line.uncertainty];
+        HealthTrend {
+            value: channel.unscaled(last),
+            value_within: [low, high].map(|value| channel.unscaled(value)),
+            per_run: line.slope,
+            per_run_within: line.slope_within,
+            p: line.p,
+            p_adjusted,
+            is_drift,
+            runs_to_limit: limit.and_then(|limit| forecast(line, limit)),
+        }
+    }
+
+    /// Returns the lower and upper limit of the channel, in its unit.
+    fn limits(&self, group: &RunGroup) -> [Option<HealthLimit>; 2] {
+        let at = |value: f64, meaning| Some(HealthLimit { value, meaning });
+        match self.channel {
+            HealthChannel::ContactForce => group.press_force_n.map_or([None, None], |force| {
+                let most = EventConfig::default().overload[0];
+                [
+                    at(LEAST_FORCE * force, "half of the asked force"),
+                    at(most * force, "an overload"),
+                ]
+            }),
+            HealthChannel::ContactShare => {
+                [at(LEAST_CONTACT, "below which a log is doubted"), None]
+            }
+            HealthChannel::Offset => {
+                let (most, meaning) = match compression(group) {
+                    Some(depth) => (depth, "the compression of the tool under its force"),
+                    None => (RELOCALIZE_OFFSET, "from which a surface is relocalised"),
+                };
+                [at(-most, meaning), at(most, meaning)]
+            }
+            HealthChannel::Tilt => [
+                None,
+                at(RELOCALIZE_TILT, "from which a surface is relocalised"),
+            ],
+            HealthChannel::Stiffness => {
+                let first = self.line.as_ref().map(|line| line.ends[0].exp());
+                let half =
+                    first.and_then(|first| at(0.5 * first, "half of it since the last change"));
+                [half, None]
+            }
+            HealthChannel::Performance => [self.least_performance(), None],
+        }
+    }
+
+    /// Returns the target, unless the plans already predict less for their first rounds.
+    fn least_performance(&self) -> Option<HealthLimit> {
+        let latest = &self.rounds[self.since()..];
+        let target = latest.iter().rev().find_map(|round| round.target)?;
+        let mut predicted: Vec<f64> = latest.iter().filter_map(|round| round.predicted).collect();
+        let is_reachable = predicted.is_empty() || median(&mut predicted) >= target;
+        is_reachable.then_some(HealthLimit {
+            value: target,
+            meaning: "the target",
+        })
+    }
+
+    fn findings(
+        &self,
+        group: &RunGroup,
+        change: Option<&SuddenChange>,
+        trend: Option<&HealthTrend>,
+        limits: &[Option<HealthLimit>; 2],
+    ) -> Vec<HealthFinding> {
+        let mut findings = Vec::new();
+        let mut add = |kind, by: f64, from: usize| {
+            let cause = self.cause(from);
+            findings.push(HealthFinding {
+                kind,
+                cause,
+                advice: advise(self.channel, by, cause),
+            });
+        };
+        if let Some(change) = change.filter(|change| change.is_shown)
+            && self.values.len() - self.since() <= NEW_CHANGE_RUNS
+            && !is_repair(self.channel, change, group.press_force_n)
+        {
+            add(
+                HealthFindingKind::SuddenChange,
+                change.after - change.before,
+                self.before,
+            );
+        }
+        let Some(trend) = trend else {
+            return findings;
+        };
+        if trend.is_drift && !self.channel.is_better(trend.per_run) {
+            add(HealthFindingKind::Drift, trend.per_run, self.since());
+        }
+        let [low, high] = trend.value_within;
+        let [least, most] = limits;
+        if least.as_ref().is_some_and(|limit| high < limit.value) {
+            add(HealthFindingKind::BeyondLimit, -1.0, 0);
+        } else if most.as_ref().is_some_and(|limit| low > limit.value) {
+            add(HealthFindingKind::BeyondLimit, 1.0, 0);
+        }
+        findings
+    }
+
+    /// Returns the cause of a change of the offset from the run at an index.
+    fn cause(&self, from: usize) -> Option<DriftCause> {
+        if self.channel != HealthChannel::Offset {
+            return None;
+        }
+        let touches = self.rounds[from..].iter().map(|round| {
+            let force = round.value(HealthChannel::ContactForce);
+            [force, round.value(HealthChannel::Stiffness).map(f64::exp)]
+        });
+        let found = find_cause(&self.values[from..], &touches.collect::<Vec<_>>());
+        found.map(|(_, cause)| cause)
+    }
+}
+
+/// Returns the depth \[m\] by which the force compresses the tool, from the asked or else the measured force, and the
+/// measured stiffness.
+fn compression(group: &RunGroup) -> Option<f64> {
+    let middle = |channel| {
+        let values = group.rounds.iter().filter_map(|round| round.value(channel));
+        let mut values: Vec<f64> = values.collect();
+        (!values.is_empty()).then(|| median(&mut values))
+    };
+    let force = group
+        .press_force_n
+        .or_else(|| middle(HealthChannel::ContactForce))?;
+    let depth = force / middle(HealthChannel::Stiffness)?.exp();
+    (depth > 0.0 && depth.is_finite()).then_some(depth)
+}
+
+/// Returns the number of runs until a drifting line reaches a limit in its direction; `None` if it is beyond the limit.
+fn forecast(line: &RobustLine, limit: f64) -> Option<RunsToLimit> {
+    let sign = line.slope.signum();
+    let distance = sign * (limit - line.ends[1]);
+    let [low, high] = line.slope_within.map(|slope| sign * slope);
+    let (slow, fast) = (low.min(high), low.max(high));
+    (distance > 0.0).then(|| RunsToLimit {
+        estimate: distance / line.slope.abs(),
+        earliest: (distance - line.uncertainty).max(0.0) / fast,
+        latest: (slow > 0.0).then(|| (distance + line.uncertainty) / slow),
+    })
+}
+
+/// Whether a sudden change brought the value closer to where it should be, as a relocalised surface or a new tool does.
+fn is_repair(channel: HealthChannel, change: &SuddenChange, asked: Option<f64>) -> bool {
+    let error = |value: f64| match channel {
+        HealthChannel::ContactForce => asked.map_or(0.0, |asked| (value - asked).abs()),
+        HealthChannel::Offset => value.abs(),
+        HealthChannel::Tilt => value,
+        HealthChannel::Stiffness | HealthChannel::ContactShare | HealthChannel::Performance => {
+            -value
+        }
+    };
+    error(change.after) < error(change.before)
+}
+
+/// Returns what to do. `by`: a number with the sign of the change.
+fn advise(channel: HealthChannel, by: f64, cause: Option<DriftCause>) -> &'static str {
+    match channel {
+        HealthChannel::Offset => match cause {
+            Some(DriftCause::WornTool) => {
+                "replace the tool: it sinks in deeper under the same force"
+            }
+            Some(DriftCause::StifferTool) => {
+                "check the tool: it has become stiffer, and sinks in less under the same force"
+            }
+            Some(DriftCause::ToolAndSurface) => {
+                "replace the tool, then relocalise the surface: both have a part in the change"
+            }
+            Some(DriftCause::LoweredSurface) => "relocalise the surface: it is lower than before",
+            Some(DriftCause::RaisedSurface) => "relocalise the surface: it is higher than before",
+            Some(DriftCause::Unknown) => {
+                "relocalise the surface; without force and stiffness of each run, a worn tool is not excluded"
+            }
+            None => {
+                "relocalise the surface; the cause is not determined for so small a change or so few runs"
+            }
+        },
+        HealthChannel::Tilt => "relocalise the surface: it leans against the pose in the task",
+        HealthChannel::ContactForce => {
+            "tare the force sensor and check it with a known weight; then relocalise the surface"
+        }
+        HealthChannel::ContactShare => "relocalise the surface, and check that it is flat",
+        HealthChannel::Stiffness if by < 0.0 => "replace the tool: it becomes softer",
+        HealthChannel::Stiffness => {
+            "check the tool: it becomes stiffer, for example because it dries"
+        }
+        HealthChannel::Performance => {
+            "compare the last reports with earlier ones: tool, dirt or surface has changed"
+        }
+    }
+}

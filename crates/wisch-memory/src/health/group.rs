@@ -1,0 +1,174 @@
+//! The first rounds of a memory, by what must be equal for their values to be one series.
+
+use super::channel::HealthChannel;
+use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
+use crate::id::is_date;
+use serde::Serialize;
+use std::collections::HashMap;
+
+/// How the values of a run were obtained.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RunSource {
+    /// A robot, or another program that executes motions.
+    Executed,
+    /// The simulated world of this program: its rounds state the true performance.
+    Simulated,
+    /// A log without a known robot.
+    Imported,
+}
+
+impl RunSource {
+    /// Name of the source in the words of people.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Executed => "executed",
+            Self::Simulated => "simulated",
+            Self::Imported => "imported logs",
+        }
+    }
+}
+
+/// The first rounds of the same robot, tool, surface, dirt, press force and kind of run, in the order of their ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunGroup {
+    /// Name of the robot, if known.
+    pub robot: Option<String>,
+    /// Name of the tool.
+    pub tool: Option<String>,
+    /// Name of the surface.
+    pub surface: Option<String>,
+    /// Name of the dirt.
+    pub medium: Option<String>,
+    /// Force with which the tool was to press \[N\]; `None` if the episodes do not state it.
+    pub press_force_n: Option<f64>,
+    /// How the values were obtained.
+    pub source: RunSource,
+    /// Number of rounds that are left out because their times are no dates, so that they have no place in the order.
+    pub undated: usize,
+    pub(super) rounds: Vec<FirstRound>,
+}
+
+/// The first round of an episode, with its values in the scale of the fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FirstRound {
+    /// Begin and end of its episode [s since 1970].
+    pub interval: [f64; 2],
+    /// Values by channel, in the order of [`HealthChannel::ALL`].
+    pub values: [Option<f64>; HealthChannel::ALL.len()],
+    /// Performance at which the goal counts as met, and predicted performance \[1\].
+    pub target: Option<f64>,
+    pub predicted: Option<f64>,
+}
+
+impl FirstRound {
+    pub(super) const fn value(&self, channel: HealthChannel) -> Option<f64> {
+        self.values[channel as usize]
+    }
+}
+
+/// What is equal in a group; the force by its bits.
+type GroupKey = ([Option<CatalogueNode>; 4], Option<u64>, RunSource);
+
+/// Relations of a round to robot, tool, surface and dirt.
+const THINGS: [&str; 4] = [
+    "soma:isPerformedBy",
+    "semco:usesTool",
+    "semco:actsOnSurface",
+    "semco:removesMedium",
+];
+
+/// Collects the first rounds of all episodes, sorted by robot, tool, surface, dirt, force and source.
+///
+/// Episodes of earlier versions state no press force; they are in a group without one.
+pub fn gather_groups(catalogue: &Catalogue) -> Vec<RunGroup> {
+    let number = |property: &str, round: IndividualId| {
+        let value = entries(catalogue.numbers(property), round).first();
+        value
+            .map(|(_, value)| *value)
+            .filter(|value| value.is_finite())
+    };
+    let mut groups: Vec<RunGroup> = Vec::new();
+    let mut places: HashMap<GroupKey, usize> = HashMap::new();
+    // Only rounds have a number.
+    for &(round, _) in catalogue
+        .numbers("semco:round")
+        .iter()
+        .filter(|(_, number)| *number < 1.5)
+    {
+        let things = THINGS.map(|relation| {
+            let objects = entries(catalogue.relations(relation), round);
+            objects.first().map(|(_, node)| *node)
+        });
+        let force = number("semco:pressForce", round).filter(|force| *force > 0.0);
+        let source = if number("semco:simulatedPerformance", round).is_some() {
+            RunSource::Simulated
+        } else if things[0].is_some() {
+            RunSource::Executed
+        } else {
+            RunSource::Imported
+        };
+        let place =
+            *(places.entry((things, force.map(f64::to_bits), source))).or_insert_with(|| {
+                let [robot, tool, surface, medium] =
+                    things.map(|node| Some(name_of(catalogue, node?)));
+                groups.push(RunGroup {
+                    robot,
+                    tool,
+                    surface,
+                    medium,
+                    press_force_n: force,
+                    source,
+                    undated: 0,
+                    rounds: Vec::new(),
+                });
+                groups.len() - 1
+            });
+        let group = &mut groups[place];
+        let interval = catalogue.episode_of(round).interval;
+        if !interval.iter().all(|time| is_date(*time)) {
+            group.undated += 1;
+            continue;
+        }
+        let target = catalogue
+            .parent(round)
+            .and_then(|action| number("semco:target", action));
+        group.rounds.push(FirstRound {
+            interval,
+            values: HealthChannel::ALL
+                .map(|channel| channel.scale(number(channel.property(), round)?)),
+            target,
+            predicted: number("semco:predictedPerformance", round),
+        });
+    }
+    for group in &mut groups {
+        // Equal times keep the order of the catalogue.
+        let time = |round: &FirstRound| [round.interval[1], round.interval[0]];
+        group.rounds.sort_by(|a, b| {
+            let [a, b] = [time(a), time(b)];
+            a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+        });
+    }
+    groups.sort_by(|a, b| key(a).cmp(&key(b)));
+    groups
+}
+
+/// Returns the order of a group among others.
+fn key(group: &RunGroup) -> ([&Option<String>; 4], Option<u64>, RunSource) {
+    let things = [&group.robot, &group.tool, &group.surface, &group.medium];
+    // Positive numbers and their bits have the same order.
+    (things, group.press_force_n.map(f64::to_bits), group.source)
+}
+
+/// Returns the name of a thing, without prefix.
+fn name_of(catalogue: &Catalogue, node: CatalogueNode) -> String {
+    match node {
+        CatalogueNode::Individual(id) => catalogue.name(id),
+        CatalogueNode::Shared(number) => {
+            let name = &catalogue.shared_individuals()[number as usize];
+            name.split_once(':')
+                .map_or(name.as_str(), |(_, name)| name)
+                .to_owned()
+        }
+    }
+}
