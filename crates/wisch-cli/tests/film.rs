@@ -8,7 +8,7 @@ use std::path::Path;
 /// Fetches the page, as a browser does, and sends what the script in it would send. `$END`: what it does at last.
 const BROWSER: &str = r#"#!/usr/bin/env python3
 import sys, urllib.error, urllib.request
-url = sys.argv[-1]
+url = open(sys.argv[-1]).read().split('"')[1]
 page = urllib.request.urlopen(url).read().decode()
 assert 'part.value = "2"' in page and "setSpeed(10)" in page and page.endswith("</script></body>\n</html>\n"), page[-3000:]
 def post(what, body):
@@ -63,9 +63,10 @@ fn a_film_is_what_the_page_sends_and_faults_leave_no_file() {
     for (end, fault) in [
         (
             r#"post("fault", b"there is no round 2: the run has 1")"#,
-            "./browser: there is no round 2: the run has 1",
+            "error: there is no round 2: the run has 1",
         ),
         ("sys.exit(3)", "ended before it had recorded"),
+        (r#"post("clip", b"")"#, "the clip is no WebM video"),
     ] {
         let (code, _, err) = film(folder.path(), end);
         assert_eq!(code, 2, "{err}");
@@ -73,14 +74,14 @@ fn a_film_is_what_the_page_sends_and_faults_leave_no_file() {
         assert!(!clip.exists(), "nothing is left of a film that failed");
     }
     let end = r#"post("said", "2.4 s at 10×, 0.3 MB. The clip is not of this speed.".encode())
-post("clip", bytes(range(256)) * 4000)"#;
+post("clip", b"\x1aE\xdf\xa3" + bytes(range(252)) * 4000)"#;
     let (code, out, err) = film(folder.path(), end);
     assert_eq!(code, 0, "{err}");
     assert_eq!(err, "note: The clip is not of this speed.\n");
     let found: serde_json::Value = serde_json::from_str(&out).expect("one object");
-    assert_eq!(found["bytes"], 1_024_000);
+    assert_eq!(found["bytes"], 1_008_004);
     let bytes = fs::read(&clip).unwrap();
-    assert!(bytes.len() == 1_024_000 && bytes[..256].iter().copied().eq(0..=255));
+    assert!(bytes.len() == 1_008_004 && bytes[4..256].iter().copied().eq(0..252));
 }
 
 #[test]

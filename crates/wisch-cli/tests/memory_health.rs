@@ -115,7 +115,7 @@ fn a_quiet_memory_needs_no_attention_and_a_short_one_cannot_tell() {
     let folder = memory_of([0.0, 0.01, 0.02]);
     let (code, out) = health(folder.path(), &[]);
     assert_eq!(code, 0, "{out}");
-    assert!(out.contains("too few episodes (3 of 5)"), "{out}");
+    assert!(out.contains("too few episodes (3 of 7)"), "{out}");
     let folder = memory_of([]);
     let (code, out) = health(folder.path(), &[]);
     assert_eq!(

@@ -69,6 +69,8 @@ pub struct RunResults {
     pub predicted: Option<(Prediction, EffectFrames)>,
     /// All candidate plans; `None` if they were not requested.
     pub considered: Option<Vec<CandidateEvaluation>>,
+    /// Range of the number of detections that were expected before the first round, if the camera detects none.
+    pub unseen: Option<[f64; 2]>,
     /// The executed rounds.
     pub rounds: Vec<FinishedRound>,
     /// The recording for its page, as JSON lines; empty if no page is made.
@@ -101,6 +103,7 @@ impl RunResults {
             following: FollowedPlan::from_session(session, times.following_s),
             predicted: Some((planned.prediction.clone(), frames)),
             considered: None,
+            unseen: session.unseen_dirt(),
             rounds: Vec::new(),
             recording: Vec::new(),
             packed: Vec::new(),
@@ -138,7 +141,7 @@ impl RunResults {
         if let Some(last) = self.rounds.last() {
             return last.round.verdict == Verdict::GoalMet;
         }
-        self.is_predicted(target) && !self.needs_stronger_reaction(target)
+        self.is_predicted(target) && !self.needs_stronger_reaction(target) && self.unseen.is_none()
     }
 
     /// Whether the prediction reaches the target, but fewer particles than the target react to the press force, which the

@@ -63,7 +63,7 @@ Examples:
   wisch memory health --json | jq '.groups[] | select(.needs_attention) | .surface'
 
 Runs of the same robot, tool, surface, dirt, press force and source are one series. \
-An answer needs five of them, and where episodes lack a value, it says so.
+An answer needs seven of them, and where episodes lack a value, it says so.
 
 Exit codes: 0 nothing is found that needs attention, 1 something needs attention, 2 an error.")]
     Health(MemoryHealthArgs),

@@ -26,16 +26,20 @@ const BROWSERS: [&str; 6] = [
 /// Longest time without any word from the page.
 const PATIENCE: Duration = Duration::from_secs(90);
 /// Longest time for a request.
-const REQUEST: Duration = Duration::from_secs(30);
+const REQUEST: Duration = Duration::from_secs(5);
 const PERIOD: Duration = Duration::from_millis(20);
+/// The first bytes of a WebM file.
+const WEBM: [u8; 4] = [0x1a, 0x45, 0xdf, 0xa3];
 /// Largest head of a request, and largest clip [bytes].
 const MAX_HEAD: usize = 1 << 16;
 const MAX_CLIP: usize = 1 << 30;
-/// Starts a browser, and ends with it; ends it when standard input is closed, however this program ends. Its name is the
-/// profile of the browser, which it removes.
+/// Starts a browser, and ends with it; ends it and all that it has started when standard input is closed, however this
+/// program ends. Its name is the profile of the browser, which it removes.
 const KEEPER: &str = r#"exec 3<&0
 "$@" 3<&- </dev/null >/dev/null 2>&1 & browser=$!
-(cat <&3 >/dev/null; kill $browser 2>/dev/null) & wait $browser; code=$?
+(trap '' TERM; cat <&3 >/dev/null; kill $browser; sleep 3; rm -rf "$0"; kill -KILL 0) >/dev/null 2>&1 &
+wait $browser; code=$?
+trap '' TERM; kill -TERM 0 2>/dev/null
 rm -rf "$0" 2>/dev/null || { sleep 1; rm -rf "$0"; }
 exit $code"#;
 
@@ -45,9 +49,9 @@ const SCRIPT: &str = r#"<script>
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   const post = (what, body) => fetch(what, { method: "POST", body });
   try {
-    while (!(window.wisch?.view?.stage?.drawn > 0)) {
-      await post("progress", "0");
-      await wait(500);
+    for (const until = performance.now() + 60e3; !(window.wisch?.view?.stage?.drawn > 0);) {
+      if (performance.now() > until) throw new Error("the page draws no scene within 60 s: this browser may lack WebGL");
+      await wait(200);
     }
     const film = document.querySelector(".w-film");
     if (!film) throw new Error("the page has no scene that can be recorded");
@@ -76,7 +80,10 @@ const SCRIPT: &str = r#"<script>
 pub fn film(args: &FilmArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (page, name) = recording_page(&args.what, &args.memory.memory)?;
     let out = (args.out.clone()).unwrap_or_else(|| PathBuf::from(format!("{name}.webm")));
-    if out.extension().is_none_or(|extension| extension != "webm") {
+    if out
+        .extension()
+        .is_none_or(|extension| !extension.eq_ignore_ascii_case("webm"))
+    {
         return Err(
             Failure::new(format!("{}: the clip is WebM video", out.display()))
                 .with_help("choose a file name that ends in .webm"),
@@ -91,10 +98,11 @@ pub fn film(args: &FilmArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
         .replace("ROUND", &args.round.unwrap_or(0).to_string())
         .replace("SPEED", &args.speed.to_string());
     let page = page.replace("</body>", &format!("{script}</body>"));
-    let mut studio = FilmSet::open(&browser, args.size)?;
-    let Clip { video, said } = studio.record(&page, &progress)?;
-    drop((progress, studio));
+    let mut set = FilmSet::open(&browser, args.size)?;
+    let Clip { video, said } = set.record(&page, &progress)?;
+    drop(progress);
     file.finish(&video)?;
+    drop(set);
     if let Some((_, doubt)) = said.split_once(" MB. ") {
         remark(doubt);
     }
@@ -110,7 +118,13 @@ pub fn film(args: &FilmArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
 /// Finds the browser: that of the option, else the first in `PATH`.
 fn find_browser(given: Option<&Path>) -> Result<PathBuf, Failure> {
     if let Some(given) = given {
-        return Ok(given.to_path_buf());
+        if given.is_file() {
+            return Ok(given.to_path_buf());
+        }
+        return Err(Failure::new(format!(
+            "--browser {}: there is no such program",
+            given.display()
+        )));
     }
     let path = std::env::var_os("PATH").unwrap_or_default();
     let mut places = BROWSERS
@@ -150,7 +164,15 @@ impl FilmSet {
         let hash = || RandomState::new().build_hasher().finish();
         let secret = format!("{:016x}{:016x}", hash(), hash());
         let profile = tempfile::Builder::new().prefix("wisch-film-").tempdir();
-        let profile = profile.map_err(cannot)?.keep();
+        let profile = profile.map_err(|error| {
+            Failure::new(format!("the folder for the browser's profile: {error}"))
+        })?;
+        // Only this user can read the folder, while everybody can read the arguments of a program.
+        let start = profile.path().join("start.html");
+        let go =
+            format!("<script>location.replace(\"http://127.0.0.1:{port}/{secret}/page\")</script>");
+        std::fs::write(&start, go).map_err(cannot)?;
+        let profile = profile.keep();
         let mut command = Command::new("sh");
         command.args(["-c", KEEPER]).arg(&profile).arg(browser);
         command.args([
@@ -171,9 +193,13 @@ impl FilmSet {
         command
             .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", profile.display()))
-            .arg(format!("http://127.0.0.1:{port}/{secret}/page"));
+            .arg(&start)
+            .env("TMPDIR", &profile);
         // A shell reports the end of the browser.
         command.stdin(Stdio::piped()).stderr(Stdio::null());
+        // Ctrl-C in a terminal reaches this program alone, which then closes the input.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         Ok(Self {
             browser: command.spawn().map_err(cannot)?,
             name: browser.display().to_string(),
@@ -185,7 +211,7 @@ impl FilmSet {
     /// Serves the page, and returns the clip that it sends.
     fn record(&mut self, page: &str, progress: &Progress) -> Result<Clip, Failure> {
         let mut said = String::new();
-        let mut heard = Instant::now();
+        let (mut heard, mut recorded) = (Instant::now(), 0.0);
         loop {
             let stream = match self.listener.accept() {
                 Ok((stream, _)) => stream,
@@ -195,7 +221,7 @@ impl FilmSet {
                     }
                     if heard.elapsed() > PATIENCE {
                         let silence = PATIENCE.as_secs();
-                        return Err(self.fault(&format!("the page is silent for {silence} s")));
+                        return Err(self.fault(&format!("nothing is recorded for {silence} s")));
                     }
                     std::thread::sleep(PERIOD);
                     continue;
@@ -206,16 +232,23 @@ impl FilmSet {
             let Ok(Some((what, body))) = self.answer(stream, page) else {
                 continue;
             };
-            heard = Instant::now();
             let text = || String::from_utf8_lossy(&body).into_owned();
             match what.as_str() {
                 "progress" => {
                     let share: f64 = text().parse().unwrap_or(0.0);
+                    if share > recorded {
+                        (recorded, heard) = (share, Instant::now());
+                    }
                     progress.say(format!("recording: {:.0} %", 100.0 * share));
                 }
                 "said" => said = text(),
+                "fault" if text().starts_with("there is no round") => {
+                    return Err(Failure::new(text())
+                        .with_help("name another round with --round, or leave it out"));
+                }
                 "fault" => return Err(self.fault(&text())),
-                "clip" => return Ok(Clip { video: body, said }),
+                "clip" if body.starts_with(&WEBM) => return Ok(Clip { video: body, said }),
+                "clip" => return Err(self.fault("the clip is no WebM video")),
                 _ => {}
             }
         }

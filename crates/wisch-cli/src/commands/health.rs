@@ -118,7 +118,7 @@ fn group_in_words(group: &GroupHealth) -> String {
     };
     let force = group.press_force_n.map_or_else(
         || "press force not recorded".to_owned(),
-        |force| format!("{force:.1} N"),
+        |force| format!("{force:?} N"),
     );
     let things = [
         name(&group.robot, "robot"),
@@ -163,6 +163,10 @@ fn channel_in_words(health: &ChannelHealth) -> String {
         ChannelState::NotRecorded => return format!("{begin}  not recorded\n"),
         ChannelState::TooFew { needed } => {
             return format!("{begin}  {}\n", too_few("", health.recorded, *needed));
+        }
+        ChannelState::Outdated { runs } => {
+            let runs = counted(*runs, "run");
+            return format!("{begin}  unknown: not recorded in the last {runs}\n");
         }
         ChannelState::Assessed(assessment) => assessment,
     };
@@ -228,6 +232,8 @@ fn state_in_words(assessment: &ChannelAssessment) -> &'static str {
         "changed"
     } else if is_drift {
         "improves"
+    } else if (assessment.trend.as_ref()).is_none_or(|trend| !trend.can_show_drift) {
+        "too few to tell"
     } else {
         "none"
     }
@@ -247,8 +253,12 @@ fn change_in_words(
         p if p.starts_with('<') => format!("p {p}"),
         p => format!("p = {p}"),
     };
-    let sentence =
-        format!("sudden change {runs} ago, at {time}: from {before} to {after} ({p}){advice}");
+    let what = if change.is_shown {
+        "sudden change"
+    } else {
+        "possible sudden change, from which the line begins,"
+    };
+    let sentence = format!("{what} {runs} ago, at {time}: from {before} to {after} ({p}){advice}");
     wrap(4, &sentence)
 }
 

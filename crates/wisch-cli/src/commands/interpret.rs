@@ -27,6 +27,9 @@ use wisch_io::{InterpretationRecord, LogRecord, particles_to_csv};
 use wisch_io::{Leftover, LoadedTask};
 use wisch_telemetry::{AxesChoice, AxesSource, Log, LogOptions, Payload, TopicChoice, read};
 
+/// Largest angle of an option [rad]: a full turn, with the rounding of numbers that people type.
+const MAX_ANGLE: f64 = std::f64::consts::TAU + 1e-3;
+
 /// Reads the log, interprets it, and writes the results.
 pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
@@ -282,6 +285,20 @@ fn log_options(args: &LogArgs, prepared: &LoadedTask) -> Result<LogOptions, Fail
         }
         None => Vec::new(),
     };
+    let turns = [
+        ("--sensor-frame", args.sensor_frame.as_slice()),
+        (
+            "--pose-offset",
+            args.pose_offset.get(3..).unwrap_or_default(),
+        ),
+        (
+            "--world-from-log",
+            args.world_from_log.get(3..).unwrap_or_default(),
+        ),
+    ];
+    for (option, angles) in turns {
+        check_radians(option, angles)?;
+    }
     Ok(LogOptions {
         pose_topic: topic(&args.pose_topic),
         wrench_topic: topic(&args.wrench_topic),
@@ -313,6 +330,18 @@ fn log_options(args: &LogArgs, prepared: &LoadedTask) -> Result<LogOptions, Fail
         world_from_surface: prepared.task.surface.world_from_surface,
         max_gap: args.max_gap_s,
     })
+}
+
+/// Checks that angles may be radians.
+fn check_radians(option: &str, angles: &[f64]) -> Result<(), Failure> {
+    let Some(angle) = angles.iter().find(|angle| angle.abs() > MAX_ANGLE) else {
+        return Ok(());
+    };
+    let radians = angle.to_radians();
+    let problem = format!("{option}: the angle {angle} is more than a full turn, 6.2832 rad");
+    Err(Failure::new(problem).with_help(format!(
+        "state angles in radians: {angle} degrees are {radians:.4} rad"
+    )))
 }
 
 /// Returns a vector of three numbers, or `None` if there are none.

@@ -362,6 +362,7 @@ fn work_on_surface(
     if let Some(kept) = episode? {
         remark_on(&kept)?;
     }
+    remark_unseen(&results_of);
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
     if let Some(note) = note_on_stop(&results_of, &prepared.run).filter(|_| !is_interrupted) {
         remark(&note);
@@ -371,6 +372,15 @@ fn work_on_surface(
         summary,
         is_stopped: is_interrupted || is_stopped(&results_of),
     })
+}
+
+/// States that nothing was wiped because the camera detects no dirt.
+fn remark_unseen(results: &RunResults) {
+    if let Some([least, most]) = results.unseen.filter(|_| results.rounds.is_empty()) {
+        remark(&format!(
+            "the camera detects no dirt, where {least:.0} to {most:.0} detections were expected: the surface is clean, or the camera does not see the dirt; nothing was wiped (--touch-only wipes without the camera)"
+        ));
+    }
 }
 
 /// States that plans are compared without the task's robot, where another command compares them with it.
@@ -628,6 +638,7 @@ fn predict_without_robot(
         following: None,
         predicted,
         considered: None,
+        unseen: None,
         rounds: Vec::new(),
         recording: Vec::new(),
         packed: Vec::new(),

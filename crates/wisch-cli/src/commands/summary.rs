@@ -61,6 +61,7 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
                 goal: goal_in_words(results, target_performance),
                 reaction_probability: task.interaction.reaction_probability(),
                 lost_share: performance.lost as f64 / performance.initial.max(1) as f64,
+                undetected: results.unseen.filter(|_| results.rounds.is_empty()),
             }
         }),
         execution,
@@ -80,7 +81,7 @@ fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
     match goal_of(&results.rounds, target) {
         _ if results.is_goal_met(target) => "met",
         Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
-        None if results.depends_on_reaction(target) => "unknown",
+        None if results.unseen.is_some() || results.depends_on_reaction(target) => "unknown",
         _ => "not met",
     }
 }
@@ -148,6 +149,7 @@ fn performance_in_words(
         {
             "not met: too many points above max_passes"
         }
+        None if prediction.undetected.is_some() => "unknown, no dirt is detected",
         None if prediction.goal == "unknown" => "unknown, see reaction",
         _ => prediction.goal,
     };

@@ -119,12 +119,16 @@ pub struct PredictionSummary {
     /// Whether the target is reached: by the last round's estimate, or without execution by the prediction.
     pub goal_met: bool,
     /// met, not met, or unknown: the last round allows no estimate, touch cannot decide, or without an executed round fewer
-    /// particles than the target react to the press force.
+    /// particles than the target react to the press force, or the camera detects no dirt where some is expected.
     pub goal: &'static str,
     /// Probability that a particle reacts when the tool first touches it at the press force; the prediction assumes 1.
     pub reaction_probability: f64,
     /// Predicted share lost over an edge that is not a skim edge.
     pub lost_share: f64,
+    /// Range of the number of detections that were expected before the first round; the key is missing unless the camera
+    /// detects none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub undetected: Option<[f64; 2]>,
 }
 
 /// The part of a summary about the robot. Times and movements are those of all executed rounds, else of the planned motion;

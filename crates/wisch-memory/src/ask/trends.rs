@@ -4,8 +4,11 @@
 use super::rows::node_name;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
-use crate::health::{FEWEST_EPISODES, HealthChannel, RobustLine, find_cause, find_changes};
+use crate::health::{HealthChannel, RobustLine, find_cause, find_changes};
 use std::collections::{BTreeMap, HashMap};
+
+/// Least number of episodes for a line.
+const FEWEST: usize = 5;
 
 /// Returns the quantity whose trend a query calls by this name.
 pub fn channel_of(name: &str) -> Option<HealthChannel> {
@@ -95,7 +98,7 @@ pub fn drifts(catalogue: &Catalogue, channel: HealthChannel, within: [f64; 2]) -
         let values: Vec<f64> = points.iter().map(|point| point.value).collect();
         let since = changes_of(channel, &values).last().copied().unwrap_or(0);
         let latest = &values[since..];
-        (latest.len() >= FEWEST_EPISODES).then(|| {
+        (latest.len() >= FEWEST).then(|| {
             let fitted = RobustLine::fit(latest, channel.resolution());
             let [first, last] = fitted.ends.map(|value| channel.unscaled(value));
             let line = [fitted.slope, first, last].map(Term::Float);
@@ -141,7 +144,7 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
             let channels = [HealthChannel::ContactForce, HealthChannel::Stiffness];
             channels.map(|channel| number(channel.property(), point.round))
         });
-        let (moved, cause) = find_cause(&offsets, &touches.collect::<Vec<_>>())?;
+        let (moved, cause) = find_cause(&offsets, &touches.collect::<Vec<_>>(), None)?;
         let parts = [
             Term::Atom(name),
             Term::Float(moved),

@@ -13,7 +13,7 @@ use super::slope::RobustLine;
 use wisch::interpret::EventConfig;
 
 /// Least number of episodes from which a trend is computed.
-pub const FEWEST_EPISODES: usize = 5;
+pub const FEWEST_EPISODES: usize = 7;
 /// Largest probability of a drift or sudden change in the report of a memory in which nothing changes \[1\].
 pub const FALSE_ALARM_RATE: f64 = 0.01;
 /// Number of runs during which a sudden change needs attention; afterwards, the values since then count as usual.
@@ -48,6 +48,7 @@ pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
         }
         courses.push(of_group.into());
     }
+    let count = tests.len();
     let adjusted = adjust(&tests);
     let mut adjusted = adjusted.into_iter();
     let groups = groups.iter().zip(courses).map(|(group, courses)| {
@@ -60,7 +61,13 @@ pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
                 .count();
             let state = match course {
                 Some(course) => {
-                    ChannelState::Assessed(Box::new(course.assess(group, &mut adjusted)))
+                    let assessment = course.assess(group, &mut adjusted, count);
+                    ChannelState::Assessed(Box::new(assessment))
+                }
+                None if unrecorded_runs(group, channel) > NEW_CHANGE_RUNS && recorded > 0 => {
+                    ChannelState::Outdated {
+                        runs: unrecorded_runs(group, channel),
+                    }
                 }
                 None if recorded == 0 && !group.rounds.is_empty() => ChannelState::NotRecorded,
                 None => ChannelState::TooFew {
@@ -88,7 +95,9 @@ pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
 fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth {
     let needs_attention = channels.iter().any(|channel| match &channel.state {
         ChannelState::Assessed(assessment) => !assessment.findings.is_empty(),
-        ChannelState::NotRecorded | ChannelState::TooFew { .. } => false,
+        ChannelState::NotRecorded | ChannelState::TooFew { .. } | ChannelState::Outdated { .. } => {
+            false
+        }
     });
     let begin = |round: Option<&FirstRound>| round.map(|round| round.interval[0]);
     GroupHealth {
@@ -105,6 +114,14 @@ fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth
         needs_attention,
         channels,
     }
+}
+
+/// Returns the number of runs since a channel was recorded.
+fn unrecorded_runs(group: &RunGroup, channel: HealthChannel) -> usize {
+    let newest = group.rounds.iter().rev();
+    newest
+        .take_while(|round| round.value(channel).is_none())
+        .count()
 }
 
 /// Adjusts probabilities to their number (Holm 1979): with all of them true, the least of the adjusted ones is below α with
@@ -129,6 +146,8 @@ struct ChannelCourse<'a> {
     /// The rounds that record the channel, and their values.
     rounds: Vec<&'a FirstRound>,
     values: Vec<f64>,
+    /// Number of runs of the group since the last sudden change.
+    runs_since: usize,
     /// The last sudden change: first index after it, values before and after, and its probability.
     change: Option<(usize, [f64; 2], f64)>,
     /// First index of the part before the last sudden change.
@@ -139,25 +158,31 @@ struct ChannelCourse<'a> {
 
 impl<'a> ChannelCourse<'a> {
     fn of(group: &'a RunGroup, channel: HealthChannel) -> Option<Self> {
-        let recorded = group.rounds.iter();
-        let recorded = recorded.filter_map(|round| Some((round, round.value(channel)?)));
-        let (rounds, values): (Vec<_>, Vec<f64>) = recorded.unzip();
-        if values.len() < FEWEST_EPISODES {
+        let recorded = group.rounds.iter().enumerate();
+        let recorded = recorded.filter_map(|(k, round)| Some(((round, k), round.value(channel)?)));
+        let (recorded, values): (Vec<_>, Vec<f64>) = recorded.unzip();
+        if values.len() < FEWEST_EPISODES || unrecorded_runs(group, channel) > NEW_CHANGE_RUNS {
             return None;
         }
+        let (rounds, indices): (Vec<_>, Vec<usize>) = recorded.into_iter().unzip();
+        let places: Vec<f64> = indices.iter().map(|&k| k as f64).collect();
         let scatter = channel.resolution();
         let changes = find_changes(&values, scatter);
         let since = changes.last().map_or(0, |change| change.place);
         let earlier = changes.len().checked_sub(2).map_or(0, |k| changes[k].place);
-        let latest = RobustLine::fit(&values[since..], scatter);
+        let fit = |from: usize, to: usize| {
+            RobustLine::fit_at(&places[from..to], &values[from..to], scatter)
+        };
+        let latest = fit(since, values.len());
         let change = changes.last().map(|change| {
-            let [_, before] = RobustLine::fit(&values[earlier..since], scatter).ends;
+            let [_, before] = fit(earlier, since).ends;
             (change.place, [before, latest.ends[0]], change.p)
         });
         let is_enough = values.len() - since >= FEWEST_EPISODES;
         Some(Self {
             channel,
             rounds,
+            runs_since: group.rounds.len() - indices[since],
             change,
             before: earlier,
             line: is_enough.then_some(latest),
@@ -184,6 +209,7 @@ impl<'a> ChannelCourse<'a> {
         &self,
         group: &RunGroup,
         adjusted: &mut impl Iterator<Item = f64>,
+        tests: usize,
     ) -> ChannelAssessment {
         let mut next = || adjusted.next().unwrap_or(1.0);
         let channel = self.channel;
@@ -204,11 +230,11 @@ impl<'a> ChannelCourse<'a> {
         let trend = self
             .line
             .as_ref()
-            .map(|line| self.trend(line, next(), &limits));
+            .map(|line| self.trend(line, (next(), tests), &limits));
         let findings = self.findings(group, change.as_ref(), trend.as_ref(), &limits);
         ChannelAssessment {
             change,
-            runs_since: self.values.len() - self.since(),
+            runs_since: self.runs_since,
             trend,
             limits,
             findings,
@@ -218,7 +244,7 @@ impl<'a> ChannelCourse<'a> {
     fn trend(
         &self,
         line: &RobustLine,
-        p_adjusted: f64,
+        (p_adjusted, tests): (f64, usize),
         limits: &[Option<HealthLimit>; 2],
     ) -> HealthTrend {
         let channel = self.channel;
@@ -238,6 +264,7 @@ impl<'a> ChannelCourse<'a> {
             p: line.p,
             p_adjusted,
             is_drift,
+            can_show_drift: tests as f64 * line.least_p <= FALSE_ALARM_RATE,
             runs_to_limit: limit.and_then(|limit| forecast(line, limit)),
         }
     }
@@ -297,8 +324,8 @@ impl<'a> ChannelCourse<'a> {
         limits: &[Option<HealthLimit>; 2],
     ) -> Vec<HealthFinding> {
         let mut findings = Vec::new();
-        let mut add = |kind, by: f64, from: usize| {
-            let cause = self.cause(from);
+        let mut add = |kind, by: f64, from: usize, sudden: Option<usize>| {
+            let cause = self.cause(from, sudden);
             findings.push(HealthFinding {
                 kind,
                 cause,
@@ -306,33 +333,48 @@ impl<'a> ChannelCourse<'a> {
             });
         };
         if let Some(change) = change.filter(|change| change.is_shown)
-            && self.values.len() - self.since() <= NEW_CHANGE_RUNS
+            && self.runs_since <= NEW_CHANGE_RUNS
             && !is_repair(self.channel, change, group.press_force_n)
         {
             add(
                 HealthFindingKind::SuddenChange,
                 change.after - change.before,
                 self.before,
+                Some(self.since() - self.before),
             );
         }
         let Some(trend) = trend else {
             return findings;
         };
-        if trend.is_drift && !self.channel.is_better(trend.per_run) {
-            add(HealthFindingKind::Drift, trend.per_run, self.since());
+        if trend.is_drift && !self.improves(trend, group.press_force_n) {
+            add(HealthFindingKind::Drift, trend.per_run, self.since(), None);
         }
         let [low, high] = trend.value_within;
         let [least, most] = limits;
         if least.as_ref().is_some_and(|limit| high < limit.value) {
-            add(HealthFindingKind::BeyondLimit, -1.0, 0);
+            add(HealthFindingKind::BeyondLimit, -1.0, 0, None);
         } else if most.as_ref().is_some_and(|limit| low > limit.value) {
-            add(HealthFindingKind::BeyondLimit, 1.0, 0);
+            add(HealthFindingKind::BeyondLimit, 1.0, 0, None);
         }
         findings
     }
 
-    /// Returns the cause of a change of the offset from the run at an index.
-    fn cause(&self, from: usize) -> Option<DriftCause> {
+    /// Whether a drift brings the value closer to where it should be.
+    fn improves(&self, trend: &HealthTrend, asked: Option<f64>) -> bool {
+        let first = self
+            .line
+            .as_ref()
+            .map(|line| self.channel.unscaled(line.ends[0]));
+        match (self.channel, first) {
+            (HealthChannel::ContactForce | HealthChannel::Offset, Some(first)) => {
+                off(self.channel, trend.value, asked) < off(self.channel, first, asked)
+            }
+            _ => self.channel.is_better(trend.per_run),
+        }
+    }
+
+    /// Returns the cause of a change of the offset from the run at an index. `sudden`: index after a sudden change, from there.
+    fn cause(&self, from: usize, sudden: Option<usize>) -> Option<DriftCause> {
         if self.channel != HealthChannel::Offset {
             return None;
         }
@@ -340,7 +382,7 @@ impl<'a> ChannelCourse<'a> {
             let force = round.value(HealthChannel::ContactForce);
             [force, round.value(HealthChannel::Stiffness).map(f64::exp)]
         });
-        let found = find_cause(&self.values[from..], &touches.collect::<Vec<_>>());
+        let found = find_cause(&self.values[from..], &touches.collect::<Vec<_>>(), sudden);
         found.map(|(_, cause)| cause)
     }
 }
@@ -373,17 +415,30 @@ fn forecast(line: &RobustLine, limit: f64) -> Option<RunsToLimit> {
     })
 }
 
-/// Whether a sudden change brought the value closer to where it should be, as a relocalised surface or a new tool does.
-fn is_repair(channel: HealthChannel, change: &SuddenChange, asked: Option<f64>) -> bool {
-    let error = |value: f64| match channel {
+/// Returns how far a value is from where it should be; less is better.
+fn off(channel: HealthChannel, value: f64, asked: Option<f64>) -> f64 {
+    match channel {
         HealthChannel::ContactForce => asked.map_or(0.0, |asked| (value - asked).abs()),
         HealthChannel::Offset => value.abs(),
         HealthChannel::Tilt => value,
         HealthChannel::Stiffness | HealthChannel::ContactShare | HealthChannel::Performance => {
             -value
         }
-    };
-    error(change.after) < error(change.before)
+    }
+}
+
+/// Whether a sudden change brought the value clearly closer to where it should be, as a relocalised surface or a new tool
+/// does.
+fn is_repair(channel: HealthChannel, change: &SuddenChange, asked: Option<f64>) -> bool {
+    let [before, after] = [change.before, change.after].map(|value| off(channel, value, asked));
+    match channel {
+        HealthChannel::ContactForce | HealthChannel::Offset | HealthChannel::Tilt => {
+            after < 0.5 * before
+        }
+        // A tool that becomes much stiffer has dried, or is another one.
+        HealthChannel::Stiffness => after < before && change.after < 2.0 * change.before,
+        HealthChannel::ContactShare | HealthChannel::Performance => after < before,
+    }
 }
 
 /// Returns what to do. `by`: a number with the sign of the change.
@@ -399,8 +454,12 @@ fn advise(channel: HealthChannel, by: f64, cause: Option<DriftCause>) -> &'stati
             Some(DriftCause::ToolAndSurface) => {
                 "replace the tool, then relocalise the surface: both have a part in the change"
             }
-            Some(DriftCause::LoweredSurface) => "relocalise the surface: it is lower than before",
-            Some(DriftCause::RaisedSurface) => "relocalise the surface: it is higher than before",
+            Some(DriftCause::LoweredSurface | DriftCause::RaisedSurface) if by < 0.0 => {
+                "relocalise the surface: it is lower"
+            }
+            Some(DriftCause::LoweredSurface | DriftCause::RaisedSurface) => {
+                "relocalise the surface: it is higher"
+            }
             Some(DriftCause::Unknown) => {
                 "relocalise the surface; without force and stiffness of each run, a worn tool is not excluded"
             }
@@ -418,7 +477,7 @@ fn advise(channel: HealthChannel, by: f64, cause: Option<DriftCause>) -> &'stati
             "check the tool: it becomes stiffer, for example because it dries"
         }
         HealthChannel::Performance => {
-            "compare the last reports with earlier ones: tool, dirt or surface has changed"
+            "compare the last reports with earlier ones, and with the prediction: tool, dirt, surface or plan"
         }
     }
 }

@@ -7,6 +7,8 @@ const FEWEST: usize = 5;
 /// Share of a change in height above which the tool is its cause, and below which the tool has no part in it \[1\].
 const IS_CAUSE: f64 = 0.7;
 const IS_NO_CAUSE: f64 = 0.3;
+/// Rounds before a sudden change that count, so that a long history does not hide it.
+const BEFORE: usize = 20;
 /// Least change in height whose cause is determined \[m\].
 const LEAST_OFFSET: f64 = 1e-3;
 
@@ -50,23 +52,31 @@ impl DriftCause {
 /// # Parameters
 /// - `offsets`: offset of the surface along its normal in each round \[m\].
 /// - `touches`: force \[N\] and stiffness [N/m] of each round, as far as they are known.
+/// - `sudden`: first index after a sudden change; without it, the first third is compared with the last one, which covers
+///   gradual changes, too.
 pub(crate) fn find_cause(
     offsets: &[f64],
     touches: &[[Option<f64>; 2]],
+    sudden: Option<usize>,
 ) -> Option<(f64, DriftCause)> {
     let count = offsets.len();
-    if count < FEWEST {
+    if count < FEWEST || sudden.is_some_and(|place| place == 0 || place >= count) {
         return None;
     }
-    // Means of the first and last third, which cover sudden and gradual changes.
     let some = (count / 3).max(2);
+    let before = sudden.map_or(0..some, |place| place.saturating_sub(BEFORE)..place);
+    let after = sudden.map_or(count - some, |place| place)..count;
+    let first = before.start;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-    let change = |values: &[f64]| mean(&values[count - some..]) - mean(&values[..some]);
+    let change = |values: &[f64]| mean(&values[after.clone()]) - mean(&values[before.clone()]);
     let moved = change(offsets);
     if moved.abs() < LEAST_OFFSET {
         return None;
     }
-    let sunk = touches.iter().map(|[force, stiffness]| {
+    let sunk = touches.iter().enumerate().map(|(k, [force, stiffness])| {
+        if k < first {
+            return Some(0.0);
+        }
         let (force, stiffness) = ((*force)?, (*stiffness)?);
         (stiffness > 0.0).then(|| -force.abs() / stiffness)
     });

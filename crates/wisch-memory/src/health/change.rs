@@ -1,11 +1,13 @@
-//! Sudden changes in a series, found by binary segmentation.
+//! Sudden changes in a series, found by seeded binary segmentation (Kovács 2023).
 //!
-//! A series is split where two lines fit so much better than one that chance does not explain it (Bayesian information
+//! Intervals of many lengths are searched, the shortest first, so that neither many changes nor a long history hide one. An
+//! interval is split where two lines fit so much better than one that chance does not explain it (Bayesian information
 //! criterion, Schwarz 1978, with a stricter penalty). Single outliers are replaced first (Hampel 1974). As several outliers
 //! side by side are no change either, the values on both sides of it must differ by their ranks, too (Mann and Whitney 1947).
 
 use super::median::{DEVIATION_OF_MEDIAN, median};
 use super::slope::RobustLine;
+use std::collections::BTreeMap;
 
 /// Least number of episodes on either side of a change, so that a single outlier is not a change.
 const FEWEST_BESIDE_CHANGE: usize = 4;
@@ -14,8 +16,10 @@ const PENALTY: [f64; 2] = [5.0, 5.0];
 /// Neighbours on either side with which a value is compared, and the deviations from their median that make an outlier.
 const NEIGHBOURS: usize = 3;
 const OUTLIER: f64 = 4.0;
-/// Values on either side of a change that are compared by their ranks; in a longer part, a drift may have ended.
-const RANKED: usize = 20;
+/// Values on either side of a change that are compared by their ranks.
+const RANKED: usize = 60;
+/// Length of the shortest intervals.
+const SHORTEST: usize = 16;
 /// Probability up to which a split counts as a change \[1\].
 const MOST_CHANCE: f64 = 0.05;
 
@@ -30,35 +34,63 @@ pub(crate) struct ChangePoint {
 
 /// Returns the sudden changes of a series, in order. `scatter`: least standard deviation of the values.
 ///
-/// Each probability is the larger one of two tests, times the number of places at which a change may be: the F-test of two
-/// lines against one, over the part of the series between the neighbouring changes, and the test of ranks.
+/// Each probability is the larger one of two tests: the F-test of two lines against one, times the number of places at which
+/// a change was sought, and the test of ranks, times the places of the interval. A change is taken from the shortest interval
+/// that shows it; of equally long ones, the least probable chance comes first. Intervals around a change are not searched
+/// again. Its probability is the least of those in this interval and between the neighbouring changes.
 #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
     let sums = Sums::new(&replace_outliers(values, scatter));
-    let chance = |bounds: [usize; 2], place| {
-        let ranks = ranks_by_chance(values, bounds, place, scatter);
-        let places = bounds[1] - bounds[0] + 1 - 2 * FEWEST_BESIDE_CHANGE;
-        (places as f64 * ranks.max(sums.chance(bounds, place, scatter))).min(1.0)
+    let levels = list_intervals(values.len());
+    // Intervals of a length overlap by half, and see each place twice at most.
+    let tried = levels.len() * (values.len() + 1).saturating_sub(2 * FEWEST_BESIDE_CHANGE);
+    let chance = |interval: [usize; 2], place| {
+        let fit = tried as f64 * sums.chance(interval, place, scatter);
+        // The order of a few values has a least probability, so it is compared with the places of its interval only.
+        let places = interval[1] - interval[0] + 1 - 2 * FEWEST_BESIDE_CHANGE;
+        let order = places as f64 * ranks_by_chance(values, interval, place, scatter);
+        fit.max(order).min(1.0)
     };
-    let mut places = Vec::new();
-    // Without recursion, because a series may have thousands of changes.
-    let mut open = vec![[0, values.len()]];
-    while let Some([from, to]) = open.pop() {
-        if let Some(place) = sums.split([from, to], scatter)
-            && chance([from, to], place) <= MOST_CHANCE
-        {
-            places.push(place);
-            open.extend([[from, place], [place, to]]);
+    let mut found: BTreeMap<usize, f64> = BTreeMap::new();
+    for intervals in levels {
+        let candidates = intervals.into_iter().filter_map(|[from, to]| {
+            let is_open = found.range(from + 1..to).next().is_none();
+            let place = sums.split([from, to], scatter).filter(|_| is_open)?;
+            let p = chance([from, to], place);
+            (p <= MOST_CHANCE).then_some(([from, to], place, p))
+        });
+        let mut candidates: Vec<([usize; 2], usize, f64)> = candidates.collect();
+        candidates.sort_by(|a, b| a.2.total_cmp(&b.2).then(a.1.cmp(&b.1)));
+        for ([from, to], place, p) in candidates {
+            if found.range(from + 1..to).next().is_none() {
+                found.insert(place, p);
+            }
         }
     }
-    places.sort_unstable();
-    let bounds: Vec<usize> = [vec![0], places.clone(), vec![values.len()]].concat();
-    let changes = places.into_iter().enumerate();
-    let changes = changes.map(|(k, place)| ChangePoint {
+    let places: Vec<usize> = found.keys().copied().collect();
+    let bounds: Vec<usize> = [vec![0], places, vec![values.len()]].concat();
+    let changes = found.into_iter().enumerate();
+    let changes = changes.map(|(k, (place, p))| ChangePoint {
         place,
-        p: chance([bounds[k], bounds[k + 2]], place),
+        p: p.min(chance([bounds[k], bounds[k + 2]], place)),
     });
     changes.collect()
+}
+
+/// Returns the intervals of a series in which changes are sought, by their lengths, which double; the last is the whole.
+fn list_intervals(count: usize) -> Vec<Vec<[usize; 2]>> {
+    let lengths = std::iter::successors(Some(SHORTEST), |length| Some(2 * length));
+    let lengths = lengths.take_while(|length| *length < count);
+    let mut levels: Vec<Vec<[usize; 2]>> = lengths
+        .map(|length| {
+            let begins = (0..count - length).step_by(length / 2);
+            // The newest values are always at the end of an interval.
+            let begins = begins.chain(std::iter::once(count - length));
+            begins.map(|from| [from, from + length]).collect()
+        })
+        .collect();
+    levels.push(vec![[0, count]]);
+    levels
 }
 
 /// Returns the series with each outlier replaced by the median of its neighbours.
@@ -228,6 +260,36 @@ mod tests {
             assert_eq!(places(&repaired).len(), 1, "{seed}");
         }
         assert!(found_elsewhere < 5, "{found_elsewhere}");
+    }
+
+    #[test]
+    fn many_repairs_and_a_long_history_hide_no_change() {
+        let noise = |seed: u64, count: usize| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            (0..count).map(move |_| {
+                let parts = (0..3).map(|_| random.random_range(-0.5e-3..0.5e-3));
+                parts.sum::<f64>()
+            })
+        };
+        for seed in 0..20 {
+            // A drift that is repaired every 15 runs, 20 times.
+            let values: Vec<f64> = (noise(seed, 300).enumerate())
+                .map(|(k, noise)| noise - 5e-4 * (k % 15) as f64)
+                .collect();
+            let found = find_changes(&values, 2e-4);
+            let last = found.last().expect("a change").place;
+            assert!((282..=288).contains(&last), "{seed}: {found:?}");
+            assert!(found.len() >= 17, "{seed}: {}", found.len());
+            // A shift of the last values after many quiet ones, and an excursion.
+            let shifted = |from: usize, to: usize, by: f64, count: usize| -> Vec<f64> {
+                (noise(seed, count).enumerate())
+                    .map(|(k, noise)| noise + if (from..to).contains(&k) { by } else { 0.0 })
+                    .collect()
+            };
+            assert_eq!(places(&shifted(295, 300, -20e-3, 300)), [295], "{seed}");
+            assert_eq!(places(&shifted(790, 800, 5e-3, 800)), [790], "{seed}");
+            assert_eq!(places(&shifted(25, 35, 5e-3, 60)).len(), 2, "{seed}");
+        }
     }
 
     #[test]

@@ -72,6 +72,11 @@ pub enum ChannelState {
         /// Number of runs from which it is assessed.
         needed: usize,
     },
+    /// Many of the last runs do not record it, so that its present value is unknown.
+    Outdated {
+        /// Number of runs since it was recorded.
+        runs: usize,
+    },
     /// Its course was assessed.
     Assessed(Box<ChannelAssessment>),
 }
@@ -81,7 +86,7 @@ pub enum ChannelState {
 pub struct ChannelAssessment {
     /// The last sudden change, if there is one.
     pub change: Option<SuddenChange>,
-    /// Number of runs since then.
+    /// Number of runs since then, with those that do not record the channel.
     pub runs_since: usize,
     /// The course since then; `None` if too few runs follow the change.
     pub trend: Option<HealthTrend>,
@@ -113,7 +118,7 @@ pub struct SuddenChange {
 pub struct HealthTrend {
     /// Value of the fitted line at the last run, in the unit of the channel.
     pub value: f64,
-    /// Its 95 % interval.
+    /// Its approximate 95 % interval.
     pub value_within: [f64; 2],
     /// Slope per run, in the unit of the channel; for a stiffness, the change of its logarithm.
     pub per_run: f64,
@@ -125,6 +130,8 @@ pub struct HealthTrend {
     pub p_adjusted: f64,
     /// Whether chance does not explain the slope, and the change exceeds the resolution of the channel.
     pub is_drift: bool,
+    /// Whether the number of runs can show a drift at all, beside the other tests of the report.
+    pub can_show_drift: bool,
     /// Number of runs until a limit is reached; `None` without a drift towards a limit.
     pub runs_to_limit: Option<RunsToLimit>,
 }

@@ -1,4 +1,4 @@
-//! Robust lines through equidistant values, with the probability that chance explains their slope.
+//! Robust lines through the values of a series, with the probability that chance explains their slope.
 
 use super::median::{DEVIATION_OF_MEDIAN, median};
 
@@ -9,39 +9,51 @@ const MOST_EXACT: usize = 30;
 /// Quantile of the normal distribution that leaves 2.5 % above it.
 const TWO_SIDED_95: f64 = 1.959_964;
 
-/// A line through equidistant values, which single outliers do not move.
+/// A line through the values of a series, which single outliers do not move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RobustLine {
-    /// Slope per value, and its 95 % interval.
+    /// Slope, and its 95 % interval.
     pub slope: f64,
     pub slope_within: [f64; 2],
     /// Probability that values without a slope are at least as ordered \[1\].
     pub p: f64,
+    /// The least probability that values of this number can have \[1\].
+    pub least_p: f64,
     /// First and last value of the line.
     pub ends: [f64; 2],
-    /// Half of the 95 % interval of the last value of the line.
+    /// Half of the approximate 95 % interval of the last value of the line.
     pub uncertainty: f64,
 }
 
 impl RobustLine {
+    /// Fits a line through equidistant values, see [`Self::fit_at`].
+    pub fn fit(values: &[f64], scatter: f64) -> Self {
+        let at: Vec<f64> = (0..values.len()).map(|k| k as f64).collect();
+        Self::fit_at(&at, values, scatter)
+    }
+
     /// Fits a line: the median slope of all pairs of values (Theil 1950), its interval (Sen 1968), and Kendall's test (1938).
     ///
-    /// `scatter`: least standard deviation of the values. Equal values count against a slope.
+    /// `at`: where each value is, in increasing order. `scatter`: least standard deviation of the values. Equal values count
+    /// against a slope.
     #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
-    pub fn fit(values: &[f64], scatter: f64) -> Self {
+    pub fn fit_at(at: &[f64], values: &[f64], scatter: f64) -> Self {
         let size = values.len().div_ceil(MOST_POINTS).max(1);
         // The oldest values, which do not fill a block, are left out.
         let from = values.len() % size;
         let blocks = values[from..].chunks(size);
         let points: Vec<f64> = blocks.map(|block| median(&mut block.to_vec())).collect();
-        let place = |k: usize| from as f64 + (k * size) as f64 + 0.5 * (size - 1) as f64;
+        let blocks = at[from..].chunks(size);
+        let places: Vec<f64> = blocks
+            .map(|block| block.iter().sum::<f64>() / block.len() as f64)
+            .collect();
         let mut slopes = Vec::with_capacity(points.len() * points.len() / 2);
         let mut order = 0_i64;
         for (j, later) in points.iter().enumerate() {
             for (i, earlier) in points[..j].iter().enumerate() {
                 let rise = later - earlier;
                 order += i64::from(rise > 0.0) - i64::from(rise < 0.0);
-                slopes.push(rise / ((j - i) * size) as f64);
+                slopes.push(rise / (places[j] - places[i]));
             }
         }
         let slope = median(&mut slopes);
@@ -56,14 +68,16 @@ impl RobustLine {
             }
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         };
-        let residuals = points.iter().enumerate();
-        let mut residuals: Vec<f64> = residuals.map(|(k, y)| y - slope * place(k)).collect();
+        let residuals = points.iter().zip(&places);
+        let mut residuals: Vec<f64> = residuals.map(|(y, place)| y - slope * place).collect();
         let begin = median(&mut residuals);
         residuals
             .iter_mut()
             .for_each(|residual| *residual = (*residual - begin).abs());
         let n = points.len().max(1) as f64;
-        let deviation = DEVIATION_OF_MEDIAN * median(&mut residuals);
+        // The median deviation of few values is too small by about this factor (Croux and Rousseeuw 1992).
+        let few = n / (n - 0.8);
+        let deviation = few * DEVIATION_OF_MEDIAN * median(&mut residuals);
         let deviation = deviation.max(scatter / (size as f64).sqrt());
         // Student's quantile, from above, for n − 2 degrees of freedom; at its end, a line varies by 2 σ / √n.
         let student = TWO_SIDED_95 * (1.0 + 1.9 / (n - 2.0).max(1.0));
@@ -71,7 +85,8 @@ impl RobustLine {
             slope,
             slope_within,
             p: kendall.chance(order.unsigned_abs() as usize),
-            ends: [begin, begin + slope * values.len().saturating_sub(1) as f64],
+            least_p: kendall.least_chance(),
+            ends: [at.first(), at.last()].map(|at| begin + slope * at.copied().unwrap_or(0.0)),
             uncertainty: student * 2.0 * deviation / n.sqrt(),
         }
     }
@@ -109,6 +124,11 @@ impl Kendall {
             exact,
             deviation: (n * (n - 1.0) * (2.0 * n + 5.0) / 18.0).max(0.0).sqrt(),
         }
+    }
+
+    /// Returns the least probability that values can have, those in order \[1\].
+    fn least_chance(&self) -> f64 {
+        self.chance(self.pairs)
     }
 
     /// Returns the probability that |S| is at least a number \[1\].

@@ -30,15 +30,30 @@ const TIMES: [&str; 14] = [
     "date_time",
 ];
 
-/// Last words of the names of two columns that state a time together: its whole seconds, and the nanoseconds beyond them.
-const SPLIT_TIMES: [[&str; 2]; 6] = [
-    ["secs", "nsecs"],
-    ["sec", "nsec"],
-    ["sec", "nanosec"],
-    ["secs", "nanosecs"],
-    ["seconds", "nanoseconds"],
-    ["s", "nsec"],
+/// Last words of the names of two columns that state a time together: its whole seconds, and the parts of a second beyond
+/// them; and the size of a part [ns].
+const SPLIT_TIMES: [([&str; 2], i64); 10] = [
+    (["secs", "nsecs"], 1),
+    (["sec", "nsec"], 1),
+    (["sec", "nanosec"], 1),
+    (["secs", "nanosecs"], 1),
+    (["second", "nanosecond"], 1),
+    (["seconds", "nanoseconds"], 1),
+    (["seconds", "nanosecs"], 1),
+    (["s", "ns"], 1),
+    (["sec", "usec"], 1000),
+    (["sec", "microsec"], 1000),
 ];
+/// Last words before them, without which two such columns are durations or something else.
+const STEMS: [&str; 7] = ["", "stamp", "time", "timestamp", "t", "tv", "clock"];
+
+/// Columns of whole seconds and of the parts beyond them.
+#[derive(Debug, Clone, Copy)]
+struct SplitTime {
+    columns: [usize; 2],
+    /// Size of a part [ns].
+    part: i64,
+}
 
 /// A column that is read.
 #[derive(Debug, Clone)]
@@ -59,6 +74,8 @@ pub(super) struct Column {
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
     pub columns: Vec<Column>,
+    /// Size of the parts of a second in the second column of times [ns], if there is one.
+    pub part_of_second: i64,
     pub form: OrientationForm,
     /// Axes and sign of the force, if the names of its columns imply them.
     pub axes: Option<Axes>,
@@ -78,8 +95,11 @@ impl Layout {
         };
         finder.check_renamed()?;
         let mut columns = Vec::new();
+        let mut part_of_second = 1;
         if options.rate.is_none() {
-            columns.extend(finder.time()?);
+            let (times, part) = finder.time()?;
+            columns.extend(times);
+            part_of_second = part;
         }
         let force = finder.force()?;
         let (form, turn) = finder.orientation(options.orientation)?;
@@ -105,6 +125,7 @@ impl Layout {
         }
         Ok(Self {
             columns,
+            part_of_second,
             form,
             axes,
             sign,
@@ -219,69 +240,100 @@ impl Finder<'_> {
         Ok(columns)
     }
 
-    /// Finds the column of times, or those of their seconds and nanoseconds.
-    fn time(&mut self) -> Result<Vec<Column>, ReadFault> {
+    /// Finds the column of times, or those of its seconds and of the parts beyond them, whose size [ns] is returned.
+    fn time(&mut self) -> Result<(Vec<Column>, i64), ReadFault> {
+        let split = self.split_times();
         if self.renaming(TIME).is_some() {
             let [time] = self.by_our_names([TIME], UnitKind::Time)?;
-            return Ok(vec![time.ok_or_else(|| self.missing(TIME))?]);
+            let time = time.ok_or_else(|| self.missing(TIME))?;
+            let named = split.into_iter().find(|pair| pair.columns[0] == time.index);
+            return Ok(match named {
+                Some(pair) => (self.split_columns(pair), pair.part),
+                None => (vec![time], 1),
+            });
         }
+        let is_part = |index: usize| split.iter().any(|pair| pair.columns.contains(&index));
         let mut found = Vec::new();
         for name in TIMES {
-            found.extend(self.sole(name)?.map(|index| vec![index]));
+            match self.sole(name) {
+                // Seconds whose parts stand in another column are no times by themselves.
+                Ok(index) => found.extend(index.filter(|&index| !is_part(index))),
+                Err(ReadFault::DuplicateColumn { columns, .. })
+                    if columns.iter().all(|(number, _)| is_part(number - 1)) => {}
+                Err(fault) => return Err(fault),
+            }
         }
-        // Seconds whose nanoseconds stand in another column are no times by themselves.
-        let split = self.split_times();
-        found.retain(|time| !split.iter().any(|pair| pair.contains(&time[0])));
-        found.extend(split.into_iter().map(Vec::from));
-        let Some(first) = found.first() else {
+        let named = |indices: &[usize]| {
+            let texts = (indices.iter()).map(|&index| format!("{:?}", self.texts[index]));
+            texts.collect::<Vec<_>>().join(" and ")
+        };
+        let all: Vec<Vec<usize>> = (found.iter().map(|&index| vec![index]))
+            .chain(split.iter().map(|pair| pair.columns.to_vec()))
+            .collect();
+        let Some(first) = all.first() else {
             return Err(ReadFault::NoTime {
                 columns: self.texts.to_vec(),
             });
         };
-        let named = |indices: &[usize]| {
-            let texts = indices
-                .iter()
-                .map(|&index| format!("{:?}", self.texts[index]));
-            texts.collect::<Vec<_>>().join(" and ")
-        };
-        if first.len() > 1 {
-            self.remarks.push(format!(
-                "times are the seconds and nanoseconds of columns {}",
-                named(first)
-            ));
-        }
-        if let Some(second) = found.get(1) {
-            self.remarks.push(format!(
-                "times from column {}; column {} is also a time and is ignored",
+        let ignored = all.get(1).map(|second| {
+            format!(
+                "times from {}; {} could be times, too, and are ignored: --csv-columns t=NAME chooses",
                 named(first),
                 named(second)
-            ));
-        }
-        let is_split = first.len() > 1;
-        let columns = first.iter().map(|&index| {
-            let column = self.column(TIME, index, UnitKind::Time);
-            // The units of seconds and nanoseconds follow from their order.
-            let unit = column.unit.filter(|_| !is_split);
-            Column { unit, ..column }
+            )
         });
-        Ok(columns.collect())
+        let together = (first.len() > 1)
+            .then(|| format!("times are the sums of the columns {}", named(first)));
+        self.remarks.extend(together.into_iter().chain(ignored));
+        Ok(match (found.first(), split.first()) {
+            (None, Some(pair)) => (self.split_columns(*pair), pair.part),
+            _ => (vec![self.column(TIME, first[0], UnitKind::Time)], 1),
+        })
     }
 
-    /// Finds the pairs of columns of seconds and nanoseconds.
-    fn split_times(&self) -> Vec<[usize; 2]> {
+    fn split_columns(&self, pair: SplitTime) -> Vec<Column> {
+        let columns = pair.columns.into_iter();
+        let columns = columns.map(|index| Column {
+            // The units of both columns follow from their names.
+            unit: None,
+            ..self.column(TIME, index, UnitKind::Time)
+        });
+        columns.collect()
+    }
+
+    /// Finds the pairs of columns of seconds and of the parts beyond them, those of poses first, and of forces last.
+    fn split_times(&self) -> Vec<SplitTime> {
         let stem = |index: usize, word: &str| -> Option<&str> {
             let rest = self.names[index].whole.strip_suffix(word)?;
-            rest.strip_suffix('_').or(rest.is_empty().then_some(rest))
+            let stem = rest.strip_suffix('_').or(rest.is_empty().then_some(rest))?;
+            let last = stem.rsplit_once('_').map_or(stem, |(_, last)| last);
+            STEMS.contains(&last).then_some(stem)
         };
         let indices = || 0..self.texts.len();
-        let pairs = SPLIT_TIMES.iter().flat_map(|[seconds, nanoseconds]| {
-            indices().filter_map(move |first| {
-                let whole = stem(first, seconds)?;
-                let second = indices().find(|&k| stem(k, nanoseconds) == Some(whole))?;
-                Some([first, second])
-            })
-        });
-        pairs.collect()
+        let mut pairs = Vec::new();
+        for ([seconds, parts], part) in SPLIT_TIMES {
+            for first in indices() {
+                let Some(whole) = stem(first, seconds) else {
+                    continue;
+                };
+                let second = indices().find(|&k| stem(k, parts) == Some(whole));
+                pairs.extend(second.map(|second| SplitTime {
+                    columns: [first, second],
+                    part,
+                }));
+            }
+        }
+        let rank = |pair: &SplitTime| {
+            let name = &self.names[pair.columns[0]].whole;
+            let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+            (
+                !has(&["pose"]),
+                has(&["wrench", "force", "ft_"]),
+                pair.columns[0],
+            )
+        };
+        pairs.sort_by_key(rank);
+        pairs
     }
 
     fn force(&mut self) -> Result<Vec<Column>, ReadFault> {

@@ -51,6 +51,11 @@ pub(crate) fn read(bytes: &[u8], options: &LogOptions) -> Result<RawLog, ReadFau
     table.collect(&times)
 }
 
+/// Whether a cell states a number with decimals.
+fn is_decimal(cell: &Cell<'_>) -> bool {
+    cell.number().is_some_and(|number| number.fract() != 0.0)
+}
+
 /// Callback that receives a row of numbers: its number and its cells.
 type TakeNumbers<'a> = dyn FnMut(usize, &[Cell<'_>]) -> Result<(), ReadFault> + 'a;
 
@@ -183,8 +188,11 @@ impl Table<'_> {
             .chain(angles.clone())
             .chain(lengths.clone())
             .collect();
+        let part = layout.part_of_second;
         let mut instants = Vec::new();
         let mut rows = Vec::new();
+        // Whether the second column holds parts of a second, by the first row.
+        let mut is_split = time.len() > 1;
         let [mut largest_angle, mut largest_length] = [0.0_f64; 2];
         let (first_angle, first_length) = (time.len(), time.len() + angles.len());
         self.visit_rows(&wanted, &mut |row, cells| {
@@ -201,10 +209,16 @@ impl Table<'_> {
                     None => return Err(self.not_a_number(row, wanted[0], cell)),
                     instant => instant,
                 },
-                [seconds, nanoseconds, ..] => {
-                    let joined = Instant::join(seconds, nanoseconds);
-                    Some(joined.map_err(|part| self.split_time_fault(row, part, &cells[part]))?)
-                }
+                [seconds, parts, ..] => match Instant::join(seconds, parts, part) {
+                    Ok(joined) if is_split => Some(joined),
+                    // The first column states whole times.
+                    _ if !is_split || (instants.is_empty() && is_decimal(seconds)) => {
+                        is_split = false;
+                        Instant::parse(seconds)
+                    }
+                    Ok(_) => None,
+                    Err(fault) => return Err(self.split_time_fault(row, fault, &cells[fault])),
+                },
             });
             Ok(())
         })?;
@@ -234,11 +248,22 @@ impl Table<'_> {
         let given = time.clone().next().filter(|&column| {
             self.options.time_unit.is_some() || self.layout.columns[column].is_unit_known
         });
-        let given = if time.len() > 1 {
+        let given = if is_split {
+            if self.options.time_unit.is_some() {
+                let unused = "--time-unit-s is not used: times stand in columns of seconds and of parts of a second";
+                self.remarks.push(unused.to_owned());
+            }
             Some(1.0)
         } else {
             given.map(|column| self.scales[column])
         };
+        if time.len() > 1 && !is_split {
+            let column = &self.layout.columns[time.start + 1];
+            self.remarks.push(format!(
+                "the column of seconds states whole times, so that column {:?} is ignored",
+                self.source.names()[column.index]
+            ));
+        }
         let scaled = times::scale_times(&instants, given)
             .map_err(|fault| fault.into_read_fault(|index| self.source.place(rows[index])))?;
         self.remarks.extend(scaled.remarks);
@@ -407,7 +432,11 @@ impl Table<'_> {
             place: self.source.place(row),
             column: self.source.names()[self.layout.columns[part].index].clone(),
             text: cell.text().into_owned(),
-            expected: ["seconds", "nanoseconds, from 0 to 999999999"][part],
+            expected: match (part, self.layout.part_of_second) {
+                (0, _) => "seconds",
+                (_, 1) => "nanoseconds, from 0 to 999999999",
+                _ => "microseconds, from 0 to 999999",
+            },
         }
     }
 

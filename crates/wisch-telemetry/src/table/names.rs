@@ -35,7 +35,7 @@ const TIME_UNITS: [(&str, f64); 13] = [
     ("min", 60.0),
     ("h", 3600.0),
 ];
-const LENGTH_UNITS: [(&str, f64); 16] = [
+const LENGTH_UNITS: [(&str, f64); 20] = [
     ("m", 1.0),
     ("metre", 1.0),
     ("metres", 1.0),
@@ -52,6 +52,10 @@ const LENGTH_UNITS: [(&str, f64); 16] = [
     ("in", INCH),
     ("inch", INCH),
     ("inches", INCH),
+    ("ft", 12.0 * INCH),
+    ("foot", 12.0 * INCH),
+    ("feet", 12.0 * INCH),
+    ("yd", 36.0 * INCH),
 ];
 const INCH: f64 = 0.0254;
 /// A mass as a unit of force is its weight, as scales and load cells state it.
@@ -254,6 +258,8 @@ mod tests {
         assert_eq!(UnitKind::Force.size_of("Newton"), Some(1.0));
         assert_eq!(UnitKind::Length.size_of("meters"), Some(1.0));
         assert_eq!(UnitKind::Length.size_of("μm"), Some(1e-6));
+        assert!((UnitKind::Length.size_of("ft").unwrap() - 0.3048).abs() < 1e-12);
+        assert!((UnitKind::Length.size_of("yd").unwrap() - 0.9144).abs() < 1e-12);
         assert_eq!(UnitKind::Length.size_of("s"), None);
     }
 }

@@ -61,17 +61,19 @@ impl Instant {
         }
     }
 
-    /// Joins the cells of whole seconds and of the nanoseconds beyond them, as messages of ROS state a time.
+    /// Joins the cells of whole seconds and of the parts of a second beyond them, as messages of ROS state a time. `part`: size
+    /// of a part [ns].
     ///
     /// # Errors
-    /// 0 if the seconds are no whole number, 1 if the nanoseconds are none within a second.
-    pub fn join(seconds: &Cell<'_>, nanoseconds: &Cell<'_>) -> Result<Self, usize> {
+    /// 0 if the seconds are no whole number, 1 if the parts are none within a second.
+    pub fn join(seconds: &Cell<'_>, parts: &Cell<'_>, part: i64) -> Result<Self, usize> {
         let whole = |cell: &Cell<'_>| {
             let number = cell.number().filter(|number| number.fract() == 0.0)?;
             (number.abs() <= MAX_TIME).then_some(number as i128)
         };
         let second = i128::from(NANOSECONDS_PER_SECOND);
-        let rest = whole(nanoseconds).filter(|rest| (0..second).contains(rest));
+        let rest = whole(parts).map(|rest| rest * i128::from(part));
+        let rest = rest.filter(|rest| (0..second).contains(rest));
         let seconds = whole(seconds).ok_or(0_usize)?;
         Ok(Self::Billionths(seconds * second + rest.ok_or(1_usize)?))
     }

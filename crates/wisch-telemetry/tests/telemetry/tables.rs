@@ -457,7 +457,7 @@ fn seconds_and_nanoseconds_in_two_columns_are_one_time() {
         let remark = log
             .remarks
             .iter()
-            .any(|remark| remark.contains("seconds and nanoseconds"));
+            .any(|remark| remark.contains("sums of the columns"));
         assert!(remark, "{head}: {:?}", log.remarks);
     }
     let names = NAMES.replacen('t', "sec,nanosec", 1);
@@ -472,6 +472,39 @@ fn seconds_and_nanoseconds_in_two_columns_are_one_time() {
         );
         assert!(fault.contains("from 0 to 999999999"), "{wrong}: {fault}");
     }
+    // Microseconds, and units in brackets.
+    let halves = |head: &str, nanoseconds: i64| {
+        let names = NAMES.replacen('t', head, 1);
+        let line = |t: f64, x: f64| {
+            let part = (t.fract() * 1e9).round() as i64 / nanoseconds;
+            let halves = format!("{},{part}", t.floor());
+            plain(t, x).replacen(&t.to_string(), &halves, 1)
+        };
+        read_text(&table(&names, line), &LogOptions::default())
+    };
+    assert_is_it(&halves("tv_sec,tv_usec", 1000), "microseconds");
+    assert_is_it(&halves("Time (sec),Time (nsec)", 1), "units in brackets");
+    // Whole times beside the same in nanoseconds, and columns that are no times.
+    let names = NAMES.replacen('t', "time_sec,time_nsec,timeout_sec,timeout_nsec", 1);
+    let whole = |t: f64, x: f64| {
+        let times = format!("{},{},5,0", t + 0.5, (t + 0.5) * 1e9);
+        plain(t, x).replacen(&t.to_string(), &times, 1)
+    };
+    assert_is_it(
+        &read_text(&table(&names, whole), &LogOptions::default()),
+        "whole times",
+    );
+    // The stamps of the poses come before those of the forces.
+    let both = "/wrench/stamp/sec,/wrench/stamp/nanosec,/pose/stamp/sec,/pose/stamp/nanosec";
+    let names = NAMES.replacen('t', both, 1);
+    let line = |t: f64, x: f64| {
+        let times = format!("5,0,{},{}", t.floor(), (t.fract() * 1e9).round());
+        plain(t, x).replacen(&t.to_string(), &times, 1)
+    };
+    assert_is_it(
+        &read_text(&table(&names, line), &LogOptions::default()),
+        "two stamps",
+    );
     // Another column of times comes first.
     let names = NAMES.replacen('t', "t,sec,nanosec", 1);
     let log = read_text(

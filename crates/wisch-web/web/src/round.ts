@@ -63,7 +63,7 @@ export const PUSH = "push or collision";
 
 /** Returns a title in which a collision is called what the page calls it everywhere. */
 export const namePushes = (title: string): string =>
-  title.replace(/\b(?:human )?collision(s?)\b/i, (_, many, at) => (many ? "pushes or collisions" : at ? PUSH : capitalise(PUSH)));
+  title.replace(/(?<!or )\b(?:human )?collision(s?)\b/i, (_, many, at) => (many ? "pushes or collisions" : at ? PUSH : capitalise(PUSH)));
 
 /** Returns the kind of an event in which somebody or something acts on the robot; null for other events. */
 export const pushOf = ({ kind, by_hand }: EventRecord): typeof PUSH | "hand guiding" | null =>

@@ -85,8 +85,10 @@ impl Interpretation {
     pub fn is_conclusive(&self) -> bool {
         let is_felt =
             self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
+        // Without contact, nothing explains an observation that differs from what was there before.
         let is_contradicted = (self.doubts.iter()).any(|doubt| {
-            doubt.is_decisive() && matches!(doubt, Doubt::ObservationContradicts { .. })
+            matches!(doubt, Doubt::ObservationContradicts { .. })
+                && (doubt.is_decisive() || self.diagnosis == Diagnosis::NoContact)
         });
         is_felt || (self.observation.is_some() && !is_contradicted)
     }
@@ -111,7 +113,8 @@ impl Interpretation {
     /// Updates belief and performance by an observation of the surface after the log. If the log and the belief before it
     /// contradict the number of grains observed, that is a [`Doubt`].
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
-        let contradiction = update.find_contradiction(&self.belief);
+        let was_felt = self.diagnosis != Diagnosis::NoContact;
+        let contradiction = update.find_contradiction(&self.belief, was_felt);
         self.belief = self.belief.observe(update);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);

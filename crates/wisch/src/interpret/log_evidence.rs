@@ -52,8 +52,8 @@ const TRAVEL_IN_GAP: f64 = 0.02;
 const LONGEST_PERIOD: f64 = 0.3;
 /// Least change of the bias over the press force that is stated [1].
 const LEAST_BIAS_CHANGE: f64 = 0.2;
-/// Least lean of a tool that is stated [rad]; 30°.
-const LEAST_LEAN: f64 = std::f64::consts::FRAC_PI_6;
+/// Least lean of a tool that is stated [rad]; 12°, with which a pad presses with one edge only.
+const LEAST_LEAN: f64 = 12.0 * std::f64::consts::PI / 180.0;
 
 /// Least force in the air over the press force that is stated as a weight [1], and least cosine of its angle to the vertical
 /// [1].

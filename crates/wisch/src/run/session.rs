@@ -80,6 +80,8 @@ pub struct Session<'a> {
     rounds: Vec<Round>,
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
     first_observation: Option<Option<Observation>>,
+    /// Range of the number of detections that were expected in it, if it shows none.
+    unseen: Option<[f64; 2]>,
     /// Doubts about the data of the current round that its interpretation does not find.
     doubts: Vec<Doubt>,
     is_stopped: bool,
@@ -127,6 +129,7 @@ impl<'a> Session<'a> {
             state: State::Begin,
             rounds: Vec::new(),
             first_observation: None,
+            unseen: None,
             doubts: Vec::new(),
             is_stopped: false,
             stands: None,
@@ -157,6 +160,12 @@ impl<'a> Session<'a> {
     /// The observation before the first round, if there is a camera.
     pub fn first_observation(&self) -> Option<&Observation> {
         self.first_observation.as_ref()?.as_ref()
+    }
+
+    /// Range of the number of detections that the belief let expect before the first round (5 % and 95 % quantiles), if the
+    /// observation shows none: the surface is clean, or the camera does not see the dirt. The goal is then unknown.
+    pub const fn unseen_dirt(&self) -> Option<[f64; 2]> {
+        self.unseen
     }
 
     /// Sets the plan for the first round; with `None` the session plans it.
@@ -421,13 +430,15 @@ impl<'a> Session<'a> {
             // A camera cannot see that dirt is at a goal that the planner has not chosen yet: nothing counts as
             // done.
             let goal = self.task.goal().unwrap_or(GoalState::Skimmed);
-            self.belief = self.belief.observe(&ObservationUpdate {
+            let update = ObservationUpdate {
                 observation: &observation,
                 sight,
                 surface: &self.task.surface,
                 goal: &goal,
                 seed: self.task.seed,
-            });
+            };
+            self.unseen = update.find_unseen(&self.belief);
+            self.belief = self.belief.observe(&update);
             self.task.particles = self.belief.sample(self.task.seed)?;
         }
         self.first_observation = Some(Some(observation));

@@ -2,8 +2,10 @@
 
 use super::interpreted_with;
 use super::log::{STEEP, Script, task};
-use wisch::geometry::{Point2, Polygon, Region, Vector2};
-use wisch::interpret::{Belief, DirtPrior, Doubt, InterpretConfig, ObservationUpdate};
+use wisch::geometry::{Point2, Polygon, Pose, Region, Vector2, Vector3};
+use wisch::interpret::{
+    Belief, DirtPrior, Doubt, InterpretConfig, Interpreter, ObservationUpdate, TouchSample,
+};
 use wisch::represent::{
     Cluster, Fate, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Task,
 };
@@ -238,6 +240,40 @@ fn an_observation_that_contradicts_touch_raises_a_doubt_and_widens_the_interval(
         !more.is_conclusive() && estimate.low < 0.1 && estimate.high > 0.8,
         "{estimate:?}"
     );
+}
+
+#[test]
+fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
+    for goal in [GoalState::Absorbed, GoalState::Skimmed] {
+        let task = task(80, STEEP);
+        let config = InterpretConfig::from_task(&task);
+        let here = ParticleDistribution::new(&places(60, 0.1)).unwrap();
+        let belief = Belief::from_members(vec![here; 64]).unwrap();
+        let mut interpreter = Interpreter::new(&task, &config).unwrap();
+        for k in 0..500 {
+            let world_from_tool = Pose::translation(1e-3 * f64::from(k) - 0.25, 0.0, 0.05);
+            let sample = TouchSample::new(0.01 * f64::from(k), world_from_tool, Vector3::zeros());
+            interpreter.push(&sample).unwrap();
+        }
+        let hovered = interpreter.conclude(&belief, &goal).unwrap();
+        let after = |count: usize| {
+            let seen = Observation {
+                detections: places(count, 0.1),
+                hidden: Region::default(),
+            };
+            let mut found = hovered.clone();
+            found.observe(&update(&task, &goal, &seen));
+            found
+        };
+        let unexplained = after(0);
+        let estimate = unexplained.performance;
+        assert!(!unexplained.is_conclusive(), "{goal:?}: {estimate:?}");
+        assert!(estimate.low < 0.2, "{goal:?}: {estimate:?}");
+        // All the dirt is still there, as without contact it must be.
+        let explained = after(57);
+        assert!(explained.is_conclusive(), "{goal:?}");
+        assert!(explained.performance.high < 0.2, "{goal:?}");
+    }
 }
 
 #[test]

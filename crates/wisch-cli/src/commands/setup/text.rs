@@ -43,6 +43,8 @@ pub struct SetupRecord<'a> {
     counterbalanced: Vec<&'a str>,
     /// Whether a tool at the tips is free of collision in the ready posture.
     has_room_for_tool: bool,
+    /// Whether the robot is assumed to hang over the surface.
+    is_assumed_to_hang: bool,
     pairs: PairsRecord,
     seed: u64,
     task: Option<String>,
@@ -146,6 +148,7 @@ impl<'a> SetupRecord<'a> {
                 .map(|base| base.child_link.as_str()),
             counterbalanced: counterbalanced(robot, proposal).collect(),
             has_room_for_tool: !proposal.assumed.no_tool,
+            is_assumed_to_hang: proposal.assumed.hangs,
             pairs: PairsRecord {
                 total: pairs.total,
                 adjacent,
@@ -360,6 +363,12 @@ pub fn describe(
                 group.name
             )));
         }
+    }
+    if proposal.assumed.hangs {
+        lines.push((
+            "note",
+            "no ready posture is found around the robot, so it is assumed to hang over the surface: if it stands, check its limits and collision shapes, or name a task with --task".to_owned(),
+        ));
     }
     if proposal.assumed.no_tool {
         let advice = "choose another link with --tip, or another tool";

@@ -110,9 +110,12 @@ export const local = (name: string): string => name.replace(/^[a-z]+:/, "");
 /** Returns the episode that the name of an individual states; null if it states none. */
 export const episodeIn = (name: string): string | null => /\d{8}-\d{6}-[0-9a-f]{4}/.exec(name)?.[0] ?? null;
 
+/** Returns a title in which an event is called what the page calls it; titles that people gave stay as they are. */
+const nameEvent = (title: string): string => (/(?:^|, )(?:human )?collision(?: \d+)?$/i.test(title) ? namePushes(title) : title);
+
 /** Returns the title of an individual, or else its name without the name of its episode. */
 export const titleOf = ({ names }: Pick<Answers, "names">, name: string): string =>
-  name in names ? namePushes(names[name]!) : local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
+  Object.hasOwn(names, name) ? nameEvent(names[name]!) : local(name).replace(/_(\d{8}-\d{6}-[0-9a-f]{4})-(\d+)$/, " $2");
 
 /** Returns the begin of an episode, in local time. */
 export const beginText = (begun: number): string =>

@@ -35,7 +35,7 @@ function drawTime(episode: Listed): SVGElement {
     const title = `${count > 1 ? `${count} \u00d7 ` : ""}${name}, ${clockText(start)} to ${clockText(end)}`;
     return svg("svg", { x: x(start), y: 9, overflow: "visible" }, svg("path", { d: shape, ...ink }, svg("title", {}, title)));
   });
-  return svg("svg", { class: "s-time", role: "img", "aria-label": `${starts.length} ${starts.length === 1 ? "round" : "rounds"}: ${describeEvents(episode) || "no push, contact loss or stop"}` }, ...rounds, ...spans, ...marks);
+  return svg("svg", { class: "s-time", "aria-hidden": "true" }, ...rounds, ...spans, ...marks);
 }
 
 /** Draws the estimate with its interval on a scale from 0 to 100 %, and the target; null without an estimate. */

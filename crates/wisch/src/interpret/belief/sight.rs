@@ -247,16 +247,16 @@ impl ObservationUpdate<'_> {
     }
 
     /// Returns a doubt if the number of grains in the observation contradicts a belief before it: hardly a member explains
-    /// it, or it is far outside the range of all members.
-    pub(in crate::interpret) fn find_contradiction(&self, belief: &Belief) -> Option<Doubt> {
+    /// it, or it is far outside the range of all members. `was_felt`: whether the log before it shows contact; without
+    /// contact, all dirt that there was before the log is expected.
+    pub(in crate::interpret) fn find_contradiction(
+        &self,
+        belief: &Belief,
+        was_felt: bool,
+    ) -> Option<Doubt> {
         if belief.is_certain() || self.sight.detection <= 0.0 {
             return None;
         }
-        let visible = |member: &ParticleDistribution| {
-            let visible = member.remaining().filter(|place| self.is_visible(*place));
-            visible.count() as f64
-        };
-        let detected = |count: f64| self.sight.detection * count + self.false_alarms();
         let untouched = |member: usize| {
             let Some(state) = belief.states.get(member) else {
                 return 0.0;
@@ -267,26 +267,58 @@ impl ObservationUpdate<'_> {
             });
             never.count() as f64
         };
-        let range = |count: &dyn Fn(usize) -> f64| {
-            let counts = (0..belief.members().len()).map(|member| detected(count(member)));
-            let counts = counts.zip(belief.weights().iter().copied());
-            let counts = PerformanceDistribution::from_shares(counts, 0.0);
-            [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
-        };
         let seen = self.observation.detections.len();
-        let left = range(&|member| visible(&belief.members()[member]));
+        let believed = self.expect(belief, &|member| belief.members()[member].len() as f64);
+        let left = if was_felt {
+            self.expect_visible(belief)
+        } else {
+            believed
+        };
         let [least, most] = left;
         let is_far = (seen as f64) < least - FAR * self.count_error(least)
             || seen as f64 > most + FAR * self.count_error(most);
         (is_far || self.reweight(belief).1).then(|| Doubt::ObservationContradicts {
             seen,
             left,
-            believed: range(&|member| belief.members()[member].len() as f64),
+            believed,
             untouched: {
-                let [least, _] = range(&untouched);
+                let [least, _] = if was_felt {
+                    self.expect(belief, &untouched)
+                } else {
+                    believed
+                };
                 least - FAR * self.count_error(least)
             },
         })
+    }
+
+    /// Returns the range of the number of detections that a belief lets expect, if the observation shows none although there
+    /// should be some: the surface is clean, or the camera does not see the dirt.
+    pub(crate) fn find_unseen(&self, belief: &Belief) -> Option<[f64; 2]> {
+        if belief.is_certain() || !self.observation.detections.is_empty() {
+            return None;
+        }
+        let expected = self.expect_visible(belief);
+        let [least, _] = expected;
+        (least > FAR * self.count_error(least)).then_some(expected)
+    }
+
+    /// Returns the range of the number of detections that the visible dirt of a belief lets expect.
+    fn expect_visible(&self, belief: &Belief) -> [f64; 2] {
+        self.expect(belief, &|member| {
+            let remaining = belief.members()[member].remaining();
+            remaining.filter(|place| self.is_visible(*place)).count() as f64
+        })
+    }
+
+    /// Returns the range of the number of detections that the members let expect. `count`: grains by member.
+    fn expect(&self, belief: &Belief, count: &dyn Fn(usize) -> f64) -> [f64; 2] {
+        let members = 0..belief.members().len();
+        let counts =
+            members.map(|member| self.sight.detection * count(member) + self.false_alarms());
+        let counts = counts.zip(belief.weights().iter().copied());
+        let counts = PerformanceDistribution::from_shares(counts, 0.0);
+        [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
     }
 
     /// Standard deviation of the number of detections where `expected` detections are expected [1].
