@@ -49,7 +49,9 @@ impl Arm {
 }
 
 const READY: &str = "<robot name=\"arm\"><group name=\"arm\"><chain base_link=\"l0\" tip_link=\"l6\"/></group>\
-    <group_state name=\"ready\" group=\"arm\"><joint name=\"a2\" value=\"0.5\"/></group_state></robot>";
+    <group_state name=\"ready\" group=\"arm\"><joint name=\"a1\" value=\"0\"/>\
+    <joint name=\"a2\" value=\"0.5\"/><joint name=\"a3\" value=\"0\"/><joint name=\"a4\" value=\"0\"/>\
+    <joint name=\"a5\" value=\"0\"/><joint name=\"a6\" value=\"0\"/></group_state></robot>";
 
 /// What `wisch check` says of the shipped board with this robot, and what `wisch robot check` does.
 fn told(arm: &Arm, srdf: &str) -> (String, String) {
@@ -76,6 +78,7 @@ fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
 #[test]
 fn both_checks_report_odd_and_assumed_values_of_a_robot() {
     let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
+    let partial = READY.replace("<joint name=\"a3\" value=\"0\"/>", "");
     let missing = "<collision><geometry><mesh filename=\"bolt.stl\"/></geometry></collision>";
     let no_ready = READY.replace("\"ready\"", "\"home\"");
     let stale = READY.replace(
@@ -118,6 +121,11 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
             "use scale=\"0.001 0.001 0.001\"",
         ),
         (
+            ARM,
+            &*partial,
+            "motions begin with a3 = 0 rad (middle of the limits)",
+        ),
+        (
             Arm {
                 rates: "velocity=\"2\" effort=\"100\"",
                 ..ARM
@@ -144,6 +152,18 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
             "{expected}: robot check: {report}"
         );
     }
+}
+
+#[test]
+fn the_start_of_a_robot_without_srdf_is_stated() {
+    let folder = folder_with("arm-board.toml");
+    fs::write(folder.path().join("arm.urdf"), ARM.urdf()).unwrap();
+    let begins = "motions begin with a1 = 0 rad, a2 = 0 rad, a3 = 0 rad, a4 = 0 rad, a5 = 0 rad, a6 = 0 rad (middle of the limits)";
+    let args = ["check", "task.toml", "--robot", "arm.urdf"];
+    let (_, _, notes) = wisch(folder.path(), &args);
+    assert!(notes.contains(begins), "{notes}");
+    let (_, report, _) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+    assert!(report.contains(begins), "{report}");
 }
 
 #[test]
@@ -290,7 +310,9 @@ fn an_object_much_larger_than_the_surface_is_reported() {
         "{error}"
     );
     assert!(
-        error.contains("in millimetres: multiply by 0.001"),
+        error.contains(
+            "in millimetres: multiply by 0.001"
+        ),
         "{error}"
     );
 }
