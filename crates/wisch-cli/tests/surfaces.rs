@@ -276,6 +276,15 @@ fn units_closed_bodies_and_parts_are_named() {
         out.contains("it is probably in millimetres: multiply by 0.001 with --scale 0.001"),
         "{out}"
     );
+    let inches = |x: f64, y: f64| door(x, y).map(|c| c / 0.0254);
+    write_grid(&folder.path().join("in.ply"), inches, 0);
+    let (_, out, _) = wisch(folder.path(), &["surface", "check", "in.ply"]);
+    assert!(
+        out.contains(
+            "in centimetres or inches: multiply by 0.01 or 0.0254 with --scale 0.01 or 0.0254"
+        ),
+        "{out}"
+    );
     let args = ["surface", "check", "mm.ply", "--scale", "0.001"];
     let (code, out, _) = wisch(folder.path(), &args);
     assert!(code == 0 && out.contains("1.000 x 0.600 x"), "{out}");

@@ -56,8 +56,10 @@ const READY: &str = "<robot name=\"arm\"><group name=\"arm\"><chain base_link=\"
 /// What `wisch check` says of the shipped board with this robot, and what `wisch robot check` does.
 fn told(arm: &Arm, srdf: &str) -> (String, String) {
     let folder = folder_with("arm-board.toml");
-    let mesh = Mesh::cuboid(Vector3::new(15.0, 15.0, 8.0)).unwrap();
-    fs::write(folder.path().join("nut.stl"), mesh.to_binary_stl()).unwrap();
+    for (name, length) in [("nut.stl", 150.0), ("pin.stl", 3.937)] {
+        let mesh = Mesh::cuboid(Vector3::new(length, 1.0, 1.0)).unwrap();
+        fs::write(folder.path().join(name), mesh.to_binary_stl()).unwrap();
+    }
     fs::write(folder.path().join("arm.urdf"), arm.urdf()).unwrap();
     fs::write(folder.path().join("arm.srdf"), srdf).unwrap();
     let (_, _, check) = wisch(
@@ -78,6 +80,7 @@ fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
 #[test]
 fn both_checks_report_odd_and_assumed_values_of_a_robot() {
     let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
+    let pin = "<collision><geometry><mesh filename=\"pin.stl\"/></geometry></collision>";
     let partial = READY.replace("<joint name=\"a3\" value=\"0\"/>", "");
     let missing = "<collision><geometry><mesh filename=\"bolt.stl\"/></geometry></collision>";
     let no_ready = READY.replace("\"ready\"", "\"home\"");
@@ -118,7 +121,12 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
         (
             Arm { tip: nut, ..ARM },
             READY,
-            "use scale=\"0.001 0.001 0.001\"",
+            "in millimetres: use scale=\"0.001 0.001 0.001\"",
+        ),
+        (
+            Arm { tip: pin, ..ARM },
+            READY,
+            "in centimetres or inches: use scale=\"0.01 0.01 0.01\" or scale=\"0.0254 0.0254 0.0254\"",
         ),
         (
             ARM,
@@ -285,7 +293,7 @@ fn tools_in_other_units_are_refused_with_the_unit_and_the_factor() {
     assert_eq!(code, 0, "{out}{error}");
     for (scale, expected) in [
         (1e3, "in millimetres: multiply by 0.001"),
-        (1e2, "in centimetres: multiply by 0.01"),
+        (1e2, "in centimetres or inches: multiply by 0.01 or 0.0254"),
         (1e-3, "scaled twice: multiply by 1000"),
     ] {
         let (code, _, error) = check_of_tool(folder.path(), size * scale);
@@ -311,7 +319,7 @@ fn an_object_much_larger_than_the_surface_is_reported() {
     );
     assert!(
         error.contains(
-            "in millimetres: multiply by 0.001"
+            "in millimetres or centimetres or inches: multiply by 0.001 or 0.01 or 0.0254"
         ),
         "{error}"
     );
@@ -371,6 +379,9 @@ fn the_footprint_of_a_mesh_in_millimetres_is_refused() {
     let (code, out, error) = footprint(1.0);
     assert_eq!((code, out.as_str()), (2, ""), "{error}");
     let expected = "pad.stl: the mesh is 110 m long, expected 0.005 m to 3 m: it is probably in millimetres: multiply by 0.001";
+    assert!(error.contains(expected), "{error}");
+    let (_, _, error) = footprint(0.03937);
+    let expected = "it is probably in centimetres or inches: multiply by 0.01 or 0.0254";
     assert!(error.contains(expected), "{error}");
     let (code, out, error) = footprint(0.001);
     assert_eq!(code, 0, "{error}");

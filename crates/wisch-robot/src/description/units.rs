@@ -2,7 +2,7 @@
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfJoint};
-use crate::geometry::LikelyUnit;
+use crate::geometry::LikelyUnits;
 use crate::{DiagnosticKind, Severity, Subject};
 use std::collections::BTreeMap;
 
@@ -57,9 +57,9 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
             true => Severity::Error,
             false => Severity::Warning,
         };
-        let unit = LikelyUnit::guess(reach, 10.0 * least, most / 5.0);
-        let advice = match unit {
-            Some(unit) => format!("{unit}, in origins, shapes and limits of sliding joints"),
+        let usual = [10.0 * least, most / 5.0];
+        let advice = match LikelyUnits::guess(reach, usual, usual) {
+            Some(units) => format!("{units}, in origins, shapes and limits of sliding joints"),
             None => "give lengths in metres".to_owned(),
         };
         let w = words(
