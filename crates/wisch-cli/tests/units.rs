@@ -175,6 +175,48 @@ fn the_start_of_a_robot_without_srdf_is_stated() {
 }
 
 #[test]
+fn a_rail_in_millimetres_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    let rail = |lower: &str, upper: &str, velocity: &str, acceleration: &str| {
+        let arm = ARM.urdf().replacen("revolute", "prismatic", 1);
+        let limit = "lower=\"-2.5\" upper=\"2.5\" velocity=\"2\" acceleration=\"10\"";
+        let other = format!(
+            "lower=\"{lower}\" upper=\"{upper}\" velocity=\"{velocity}\" acceleration=\"{acceleration}\""
+        );
+        fs::write(
+            folder.path().join("arm.urdf"),
+            arm.replacen(limit, &other, 1),
+        )
+        .unwrap();
+        fs::write(folder.path().join("arm.srdf"), READY).unwrap();
+        let (_, report, _) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+        let args = ["check", "task.toml", "--robot", "arm.urdf"];
+        (report, wisch(folder.path(), &args).2)
+    };
+    let (report, notes) = rail("-1.2", "1.2", "0.5", "2");
+    assert!(!report.contains("millimetres"), "{report}");
+    assert!(!notes.contains("millimetres"), "{notes}");
+    for (rail, expected) in [
+        (
+            rail("-1200", "1200", "0.5", "2"),
+            "joint \"a1\": it slides from -1200 to 1200 m, expected within 20 m; it is probably in millimetres: multiply by 0.001",
+        ),
+        (
+            rail("0", "1", "500", "2"),
+            "joint \"a1\": its velocity limit is 500 m/s, expected at most 10 m/s; it is probably in millimetres per second: multiply by 0.001",
+        ),
+        (
+            rail("0", "1", "1", "2000"),
+            "joint \"a1\": its acceleration limit is 2000 m/s2, expected at most 100 m/s2; it is probably in millimetres per second squared",
+        ),
+    ] {
+        for text in [rail.0, rail.1] {
+            assert!(text.contains(expected), "{text}");
+        }
+    }
+}
+
+#[test]
 fn degrees_and_square_millimetres_are_reported() {
     let text = ARM.urdf();
     for (from, to, expected) in [
