@@ -1,5 +1,6 @@
 //! Remarks on a resolved task: what of its files was taken, and what is probably not meant.
 
+use super::carrier::carrier_remark;
 use super::extent::{LARGE_OBJECT, OBJECT_EXTENT, USUAL_OBJECT};
 use wisch::geometry::{Bounds2, LikelyUnits, Mesh, Point3, Sheet};
 use wisch::represent::{SceneObject, ScenePart, SurfaceShape, Task};
@@ -25,12 +26,13 @@ pub(crate) fn task_remarks(task: &Task) -> Vec<String> {
     remarks.extend(underside_remark(task));
     remarks.extend(points_remark(task));
     remarks.extend(unit_remarks(task));
-    remarks.extend(carrier_remarks(task));
+    remarks.extend(uncarried_remarks(task));
+    remarks.extend(carrier_remark(task));
     remarks
 }
 
 /// Returns remarks on obstacles that end at a flat surface which no object carries: they may be what carries it.
-fn carrier_remarks(task: &Task) -> Vec<String> {
+fn uncarried_remarks(task: &Task) -> Vec<String> {
     let is_carried = (task.scene.iter()).any(|object| object.part == ScenePart::Carrier);
     let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
     let Some(bounds) = bounds.filter(|_| task.surface.shape.is_plane() && !is_carried) else {
