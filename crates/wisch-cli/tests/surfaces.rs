@@ -276,6 +276,15 @@ fn units_closed_bodies_and_parts_are_named() {
         out.contains("it is probably in millimetres: multiply by 0.001 with --scale 0.001"),
         "{out}"
     );
+    let inches = |x: f64, y: f64| door(x, y).map(|c| c / 0.0254);
+    write_grid(&folder.path().join("in.ply"), inches, 0);
+    let (_, out, _) = wisch(folder.path(), &["surface", "check", "in.ply"]);
+    assert!(
+        out.contains(
+            "in centimetres or inches: multiply by 0.01 or 0.0254 with --scale 0.01 or 0.0254"
+        ),
+        "{out}"
+    );
     let args = ["surface", "check", "mm.ply", "--scale", "0.001"];
     let (code, out, _) = wisch(folder.path(), &args);
     assert!(code == 0 && out.contains("1.000 x 0.600 x"), "{out}");
@@ -352,4 +361,39 @@ fn an_object_that_ends_at_the_surface_is_remarked_on_unless_it_carries_it() {
         err.contains("\"board\" ends at the surface") && err.contains("add carried_by = \"board\""),
         "{err}"
     );
+}
+
+#[test]
+fn a_surface_that_is_no_face_of_its_carrier_is_remarked_on() {
+    let folder = crate::program::folder_with("arm-board.toml");
+    for (setting, expected) in [
+        (
+            "surface.position_m=[0,0,0.76]",
+            Some("it lies 10.0 mm inside it, below its face"),
+        ),
+        (
+            "surface.position_m=[0,0,0.80]",
+            Some("it lies 30.0 mm above its face"),
+        ),
+        (
+            "surface.position_m=[0.05,0,0.77]",
+            Some("it reaches up to 50 mm beyond that face"),
+        ),
+        (
+            "surface.rpy_rad=[0.1,0,0]",
+            Some("it leans by 5.7 degrees against the nearest face"),
+        ),
+        ("surface.position_m=[0,0,0.772]", None),
+        ("surface.size_m=[0.3,0.2]", None),
+    ] {
+        let (_, _, notes) = wisch(folder.path(), &["check", "task.toml", "--set", setting]);
+        let no_face = "surface \"chopping_board\" is no face of \"board\", which carries it: ";
+        match expected {
+            Some(expected) => assert!(
+                notes.contains(&(no_face.to_owned() + expected)),
+                "{setting}: {notes}"
+            ),
+            None => assert!(!notes.contains("is no face of"), "{setting}: {notes}"),
+        }
+    }
 }

@@ -49,13 +49,17 @@ impl Arm {
 }
 
 const READY: &str = "<robot name=\"arm\"><group name=\"arm\"><chain base_link=\"l0\" tip_link=\"l6\"/></group>\
-    <group_state name=\"ready\" group=\"arm\"><joint name=\"a2\" value=\"0.5\"/></group_state></robot>";
+    <group_state name=\"ready\" group=\"arm\"><joint name=\"a1\" value=\"0\"/>\
+    <joint name=\"a2\" value=\"0.5\"/><joint name=\"a3\" value=\"0\"/><joint name=\"a4\" value=\"0\"/>\
+    <joint name=\"a5\" value=\"0\"/><joint name=\"a6\" value=\"0\"/></group_state></robot>";
 
 /// What `wisch check` says of the shipped board with this robot, and what `wisch robot check` does.
 fn told(arm: &Arm, srdf: &str) -> (String, String) {
     let folder = folder_with("arm-board.toml");
-    let mesh = Mesh::cuboid(Vector3::new(15.0, 15.0, 8.0)).unwrap();
-    fs::write(folder.path().join("nut.stl"), mesh.to_binary_stl()).unwrap();
+    for (name, length) in [("nut.stl", 150.0), ("pin.stl", 3.937)] {
+        let mesh = Mesh::cuboid(Vector3::new(length, 1.0, 1.0)).unwrap();
+        fs::write(folder.path().join(name), mesh.to_binary_stl()).unwrap();
+    }
     fs::write(folder.path().join("arm.urdf"), arm.urdf()).unwrap();
     fs::write(folder.path().join("arm.srdf"), srdf).unwrap();
     let (_, _, check) = wisch(
@@ -76,6 +80,8 @@ fn an_arm_in_metres_kilograms_and_radians_raises_no_remark() {
 #[test]
 fn both_checks_report_odd_and_assumed_values_of_a_robot() {
     let nut = "<collision><geometry><mesh filename=\"nut.stl\"/></geometry></collision>";
+    let pin = "<collision><geometry><mesh filename=\"pin.stl\"/></geometry></collision>";
+    let partial = READY.replace("<joint name=\"a3\" value=\"0\"/>", "");
     let missing = "<collision><geometry><mesh filename=\"bolt.stl\"/></geometry></collision>";
     let no_ready = READY.replace("\"ready\"", "\"home\"");
     let stale = READY.replace(
@@ -115,7 +121,17 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
         (
             Arm { tip: nut, ..ARM },
             READY,
-            "use scale=\"0.001 0.001 0.001\"",
+            "in millimetres: use scale=\"0.001 0.001 0.001\"",
+        ),
+        (
+            Arm { tip: pin, ..ARM },
+            READY,
+            "in centimetres or inches: use scale=\"0.01 0.01 0.01\" or scale=\"0.0254 0.0254 0.0254\"",
+        ),
+        (
+            ARM,
+            &*partial,
+            "motions begin with a3 = 0 rad (middle of the limits)",
         ),
         (
             Arm {
@@ -143,6 +159,60 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
             report.contains(expected),
             "{expected}: robot check: {report}"
         );
+    }
+}
+
+#[test]
+fn the_start_of_a_robot_without_srdf_is_stated() {
+    let folder = folder_with("arm-board.toml");
+    fs::write(folder.path().join("arm.urdf"), ARM.urdf()).unwrap();
+    let begins = "motions begin with a1 = 0 rad, a2 = 0 rad, a3 = 0 rad, a4 = 0 rad, a5 = 0 rad, a6 = 0 rad (middle of the limits)";
+    let args = ["check", "task.toml", "--robot", "arm.urdf"];
+    let (_, _, notes) = wisch(folder.path(), &args);
+    assert!(notes.contains(begins), "{notes}");
+    let (_, report, _) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+    assert!(report.contains(begins), "{report}");
+}
+
+#[test]
+fn a_rail_in_millimetres_is_reported() {
+    let folder = folder_with("arm-board.toml");
+    let rail = |lower: &str, upper: &str, velocity: &str, acceleration: &str| {
+        let arm = ARM.urdf().replacen("revolute", "prismatic", 1);
+        let limit = "lower=\"-2.5\" upper=\"2.5\" velocity=\"2\" acceleration=\"10\"";
+        let other = format!(
+            "lower=\"{lower}\" upper=\"{upper}\" velocity=\"{velocity}\" acceleration=\"{acceleration}\""
+        );
+        fs::write(
+            folder.path().join("arm.urdf"),
+            arm.replacen(limit, &other, 1),
+        )
+        .unwrap();
+        fs::write(folder.path().join("arm.srdf"), READY).unwrap();
+        let (_, report, _) = wisch(folder.path(), &["robot", "check", "arm.urdf"]);
+        let args = ["check", "task.toml", "--robot", "arm.urdf"];
+        (report, wisch(folder.path(), &args).2)
+    };
+    let (report, notes) = rail("-1.2", "1.2", "0.5", "2");
+    assert!(!report.contains("millimetres"), "{report}");
+    assert!(!notes.contains("millimetres"), "{notes}");
+    for (rail, expected) in [
+        (
+            rail("-1200", "1200", "0.5", "2"),
+            "joint \"a1\": it slides from -1200 to 1200 m, expected within 20 m; it is probably in millimetres: multiply by 0.001",
+        ),
+        (
+            rail("0", "1", "500", "2"),
+            "joint \"a1\": its velocity limit is 500 m/s, expected at most 10 m/s; it is probably in millimetres per second: multiply by 0.001",
+        ),
+        (
+            rail("0", "1", "1", "2000"),
+            "joint \"a1\": its acceleration limit is 2000 m/s2, expected at most 100 m/s2; it is probably in millimetres per second squared",
+        ),
+    ] {
+        for text in [rail.0, rail.1] {
+            assert!(text.contains(expected), "{text}");
+        }
     }
 }
 
@@ -265,7 +335,7 @@ fn tools_in_other_units_are_refused_with_the_unit_and_the_factor() {
     assert_eq!(code, 0, "{out}{error}");
     for (scale, expected) in [
         (1e3, "in millimetres: multiply by 0.001"),
-        (1e2, "in centimetres: multiply by 0.01"),
+        (1e2, "in centimetres or inches: multiply by 0.01 or 0.0254"),
         (1e-3, "scaled twice: multiply by 1000"),
     ] {
         let (code, _, error) = check_of_tool(folder.path(), size * scale);
@@ -290,7 +360,9 @@ fn an_object_much_larger_than_the_surface_is_reported() {
         "{error}"
     );
     assert!(
-        error.contains("in millimetres: multiply by 0.001"),
+        error.contains(
+            "in millimetres or centimetres or inches: multiply by 0.001 or 0.01 or 0.0254"
+        ),
         "{error}"
     );
 }
@@ -349,6 +421,9 @@ fn the_footprint_of_a_mesh_in_millimetres_is_refused() {
     let (code, out, error) = footprint(1.0);
     assert_eq!((code, out.as_str()), (2, ""), "{error}");
     let expected = "pad.stl: the mesh is 110 m long, expected 0.005 m to 3 m: it is probably in millimetres: multiply by 0.001";
+    assert!(error.contains(expected), "{error}");
+    let (_, _, error) = footprint(0.03937);
+    let expected = "it is probably in centimetres or inches: multiply by 0.01 or 0.0254";
     assert!(error.contains(expected), "{error}");
     let (code, out, error) = footprint(0.001);
     assert_eq!(code, 0, "{error}");

@@ -163,6 +163,12 @@ impl Error {
             Self::Contradiction { .. } => {
                 "leave out --action, or replace the file's goal by an action".to_owned()
             }
+            Self::UnknownRobot(unknown) if unknown.name.contains(['.', '/', '\\']) => {
+                format!(
+                    "a path is no name: in [robot], write urdf = {:?} instead of name",
+                    unknown.name
+                )
+            }
             Self::UnknownRobot(_) => {
                 "for your own robot, give a path that ends in .urdf".to_owned()
             }

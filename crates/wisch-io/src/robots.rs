@@ -6,10 +6,11 @@ use crate::error::Error;
 use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
+use wisch::follow::StartAssumption;
 use wisch::robot::{
     ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
-    CapabilityMap, Diagnostic, DiagnosticKind, HOME_STATE, JointKind, LinkId, MapError,
-    READY_STATE, RobotHash, RobotModel, Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
+    CapabilityMap, Diagnostic, DiagnosticKind, JointKind, LinkId, MapError, RobotHash, RobotModel,
+    Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -165,16 +166,11 @@ impl Robot {
                 counterbalanced.join(", ")
             ));
         }
-        if let Some(srdf) = &self.srdf
-            && !(srdf.states.iter()).any(|state| state.name.starts_with(READY_STATE))
+        if let Some(StartAssumption { lacks, begins }) =
+            StartAssumption::find(model, self.srdf.as_ref())
         {
-            let home = if srdf.states.iter().any(|state| state.name == HOME_STATE) {
-                "in its state \"home\""
-            } else {
-                "in the middle of the joint limits"
-            };
             remarks.push(format!(
-                "robot {:?}: its SRDF has no state \"{READY_STATE}\": motions begin {home}",
+                "robot {:?}: {lacks}: motions begin {begins}",
                 model.name()
             ));
         }

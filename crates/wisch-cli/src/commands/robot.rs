@@ -11,11 +11,11 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use wisch::follow::{MountSource, PlanningGroup};
+use wisch::follow::{MountSource, PlanningGroup, StartAssumption};
 use wisch::represent::Mount;
 use wisch::robot::{
-    Appearance, Diagnostic, DiagnosticKind, GroupState, HOME_STATE, LinkAxis, READY_STATE,
-    RobotModel, Severity, Srdf, Subject, check, urdf_on_base,
+    Appearance, Diagnostic, DiagnosticKind, LinkAxis, READY_STATE, RobotModel, Severity, Srdf,
+    Subject, check, urdf_on_base,
 };
 use wisch::source_location::Place;
 use wisch_io::{read_text, robot_meshes};
@@ -90,7 +90,7 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
     let srdf = match (&robot, srdf_text) {
         (Some(robot), Some((name, text))) => {
             findings.extend(Srdf::check(&name, &text, robot));
-            findings.extend(no_ready(&name, &text, robot));
+            findings.extend(assumed_start(&name, &text, robot));
             findings.extend(check_start(&name, &text, robot)?);
             Some(name)
         }
@@ -179,25 +179,28 @@ fn describe_group(robot: &RobotModel, srdf: Option<&str>) -> Result<String, Fail
         let joints = held.join(", ");
         text += &format!("  holds {joints} at their ready positions: they are not in the group\n");
     }
+    if srdf.is_none()
+        && let Some(assumed) = StartAssumption::find(robot, None)
+    {
+        text += &format!("  assumes that motions begin {}\n", assumed.begins);
+    }
     Ok(text)
 }
 
-/// Returns a note if the SRDF has no state named "ready".
-fn no_ready(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
+/// Returns a note if the SRDF has no state named "ready", or one that leaves out joints.
+fn assumed_start(name: &str, text: &str, robot: &RobotModel) -> Option<Diagnostic> {
     let srdf = Srdf::parse(name, text, robot).ok()?;
-    let is_ready = |state: &GroupState| state.name.starts_with(READY_STATE);
-    (!srdf.states.iter().any(is_ready)).then(|| Diagnostic {
+    let StartAssumption { lacks, begins } = StartAssumption::find(robot, Some(&srdf))?;
+    Some(Diagnostic {
         severity: Severity::Note,
         at: Place::from_offset(name, text, 0),
         subject: Subject::Robot,
         kind: DiagnosticKind::Srdf,
-        value: format!("no group state is named \"{READY_STATE}\""),
-        limit: "a <group_state> of that name, in which motions begin and end".to_owned(),
-        advice: if srdf.states.iter().any(|state| state.name == HOME_STATE) {
-            "add it; without it, motions begin in the state \"home\"".to_owned()
-        } else {
-            "add it; without it, motions begin in the middle of the joints' limits".to_owned()
-        },
+        value: lacks,
+        limit: format!(
+            "a <group_state name=\"{READY_STATE}\"> of all joints, in which motions begin and end"
+        ),
+        advice: format!("add it; without it, motions begin {begins}"),
     })
 }
 

@@ -59,6 +59,11 @@ pub fn cases() -> Vec<Case> {
                 "nearest: humanoid",
             ],
         ),
+        setting(
+            "a path as the name of a robot",
+            "robot.name=robots/arm7.urdf",
+            &["in [robot], write urdf = \"robots/arm7.urdf\" instead of name"],
+        ),
         task(
             "the same in a check",
             "name = \"humanoid\"",

@@ -1,15 +1,18 @@
 //! Limits of the size of meshes, beyond which they are probably in another unit.
 
 use super::TaskError;
-use wisch::geometry::{LikelyUnit, Mesh};
+use wisch::geometry::{LikelyUnits, Mesh};
 use wisch::source_location::Place;
 
-/// Limits of the longest side of a scene object: minimum, maximum, and usual maximum [m].
+/// Limits of the longest side of a scene object, its length beyond which its unit is doubted, and its usual length [m].
 pub(super) const OBJECT_EXTENT: [f64; 2] = [1e-3, 20.0];
-pub(super) const USUAL_OBJECT: f64 = 5.0;
-/// Limits of the longest side of a tool: minimum, maximum, and usual minimum [m].
+pub(super) const LARGE_OBJECT: f64 = 5.0;
+pub(super) const USUAL_OBJECT: [f64; 2] = [0.01, 2.0];
+/// Usual length of a surface that is wiped [m].
+pub(super) const USUAL_SURFACE: [f64; 2] = [0.1, 5.0];
+/// Limits of the longest side of a tool, and its usual length [m].
 const TOOL_EXTENT: [f64; 2] = [5e-3, 3.0];
-const USUAL_TOOL: f64 = 0.03;
+const USUAL_TOOL: [f64; 2] = [0.03, 0.6];
 
 /// A mesh whose longest side is outside its limits.
 struct WrongExtent {
@@ -20,19 +23,19 @@ struct WrongExtent {
 }
 
 /// Whether the longest side of a mesh is within its limits [m]; if not, the error says in which unit it probably is, one in which it
-/// is as long as is usual, and by `how` what to do about a factor to metres.
+/// is as long as is usual, and by `how` what to do about it.
 fn check_extent(
     mesh: &Mesh,
     [least, most]: [f64; 2],
-    [usually_least, usually_most]: [f64; 2],
-    how: impl FnOnce(f64) -> String,
+    usual: [f64; 2],
+    how: impl FnOnce(&LikelyUnits) -> String,
 ) -> Result<(), WrongExtent> {
     let extent = mesh.extent();
     if (least..=most).contains(&extent) {
         return Ok(());
     }
-    let advice = match LikelyUnit::guess(extent, usually_least, usually_most) {
-        Some(unit) => format!("{unit}; {}", how(unit.metres)),
+    let advice = match LikelyUnits::guess(extent, usual, [least, most]) {
+        Some(units) => format!("{units}; {}", how(&units)),
         None => "correct its scale".to_owned(),
     };
     Err(WrongExtent {
@@ -41,14 +44,17 @@ fn check_extent(
     })
 }
 
-/// Checks the size of the mesh of a scene object or surface that the file multiplies by `scale`.
+/// Checks the size of the mesh of a scene object or surface that the file multiplies by `scale`; `usual` is its usual length [m].
 pub(super) fn check_object(
     mesh: &Mesh,
     (file, at): (&str, &Place),
     scale: f64,
+    usual: [f64; 2],
 ) -> Result<(), TaskError> {
-    let usual = [OBJECT_EXTENT[0], USUAL_OBJECT];
-    let how = |metres| format!("use scale = {}", rounded(scale * metres));
+    let how = |units: &LikelyUnits| {
+        let factors = units.factors(|metres| rounded(scale * metres).to_string());
+        format!("use scale = {factors}")
+    };
     check_extent(mesh, OBJECT_EXTENT, usual, how)
         .map_err(|wrong| wrong.in_task(file, at, OBJECT_EXTENT))
 }
@@ -59,8 +65,7 @@ pub(super) fn check_tool(mesh: &Mesh, (file, at): (&str, &Place)) -> Result<(), 
 }
 
 fn check_tool_mesh(mesh: &Mesh) -> Result<(), WrongExtent> {
-    let usual = [USUAL_TOOL, TOOL_EXTENT[1]];
-    check_extent(mesh, TOOL_EXTENT, usual, |_| {
+    check_extent(mesh, TOOL_EXTENT, USUAL_TOOL, |_| {
         "save the mesh in metres".to_owned()
     })
 }

@@ -1,5 +1,6 @@
 //! The task file: its keys and their checks, and its conversion to a [`Task`].
 
+mod carrier;
 mod checked;
 mod clusters;
 mod definitions;

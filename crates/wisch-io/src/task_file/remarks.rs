@@ -1,7 +1,8 @@
 //! Remarks on a resolved task: what of its files was taken, and what is probably not meant.
 
-use super::extent::{OBJECT_EXTENT, USUAL_OBJECT};
-use wisch::geometry::{Bounds2, LikelyUnit, Mesh, Point3, Sheet};
+use super::carrier::carrier_remark;
+use super::extent::{LARGE_OBJECT, OBJECT_EXTENT, USUAL_OBJECT};
+use wisch::geometry::{Bounds2, LikelyUnits, Mesh, Point3, Sheet};
 use wisch::represent::{SceneObject, ScenePart, SurfaceShape, Task};
 
 /// Distance of the middle of a contact area from the tool centre point above which a remark is made, over the radius of
@@ -25,12 +26,13 @@ pub(crate) fn task_remarks(task: &Task) -> Vec<String> {
     remarks.extend(underside_remark(task));
     remarks.extend(points_remark(task));
     remarks.extend(unit_remarks(task));
-    remarks.extend(carrier_remarks(task));
+    remarks.extend(uncarried_remarks(task));
+    remarks.extend(carrier_remark(task));
     remarks
 }
 
 /// Returns remarks on obstacles that end at a flat surface which no object carries: they may be what carries it.
-fn carrier_remarks(task: &Task) -> Vec<String> {
+fn uncarried_remarks(task: &Task) -> Vec<String> {
     let is_carried = (task.scene.iter()).any(|object| object.part == ScenePart::Carrier);
     let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
     let Some(bounds) = bounds.filter(|_| task.surface.shape.is_plane() && !is_carried) else {
@@ -205,14 +207,15 @@ fn points_remark(task: &Task) -> Option<String> {
 fn unit_remarks(task: &Task) -> Vec<String> {
     let bounds = Bounds2::from_points(task.surface.outline.outer().iter().copied());
     let surface = bounds.map_or(0.0, |bounds| bounds.size().max());
-    let limit = (PER_SURFACE * surface).max(USUAL_OBJECT);
+    let limit = (PER_SURFACE * surface).max(LARGE_OBJECT);
     let large = (task.scene.iter()).filter(|object| object.mesh.extent() > limit);
     large
         .map(|object| {
             let extent = object.mesh.extent();
-            let unit = LikelyUnit::guess(extent, OBJECT_EXTENT[0], USUAL_OBJECT);
-            let unit = unit.map_or(String::new(), |unit| {
-                format!("; if it should be smaller, {unit}")
+            let possible = [OBJECT_EXTENT[0], LARGE_OBJECT];
+            let units = LikelyUnits::guess(extent, USUAL_OBJECT, possible);
+            let unit = units.map_or(String::new(), |units| {
+                format!("; if it should be smaller, {units}")
             });
             format!(
                 "scene object {:?} is {extent:.1} m long, the surface {surface:.2} m{unit}",

@@ -1,6 +1,6 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
-use super::extent::{check_object, check_tool};
+use super::extent::{USUAL_OBJECT, USUAL_SURFACE, check_object, check_tool};
 use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use crate::shell::shell_word;
@@ -186,7 +186,7 @@ impl TaskFile {
             at: at.clone(),
             error,
         })?;
-        check_object(&mesh, (file, at), *scale)?;
+        check_object(&mesh, (file, at), *scale, USUAL_SURFACE)?;
         let config = SheetConfig {
             tool_radius: tool.collision_radius(),
             choice: *choice,
@@ -396,7 +396,7 @@ impl ObjectRecord {
             Shape::Mesh { at, file, scale } => {
                 let mesh = scaled_mesh(parsed_mesh(assets, at, file)?, *scale);
                 if let Ok(mesh) = &mesh {
-                    check_object(mesh, (file, at), *scale)?;
+                    check_object(mesh, (file, at), *scale, USUAL_OBJECT)?;
                 }
                 mesh
             }

@@ -2,7 +2,7 @@
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfGeometry, UrdfShape};
-use crate::geometry::{LikelyUnit, Mesh, MeshFormat, Point3, Pose, Vector3};
+use crate::geometry::{LikelyUnits, Mesh, MeshFormat, Point3, Pose, Vector3};
 use crate::{DiagnosticKind, Severity, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 
@@ -14,6 +14,9 @@ const MESH_PER_REACH: f64 = 3.0;
 const LEAST_MESH_LIMIT: f64 = 2.0;
 /// Shortest mesh of a link [m].
 const MIN_MESH_EXTENT: f64 = 1e-3;
+/// Usual length of a link's mesh: at least this [m], and at most this share of the robot's reach [1].
+const LEAST_USUAL_MESH: f64 = 0.03;
+const USUAL_MESH_PER_REACH: f64 = 0.5;
 
 /// Returns the longest extent of a mesh [m] for a robot of this reach [m].
 fn mesh_limit(reach: f64) -> f64 {
@@ -22,6 +25,16 @@ fn mesh_limit(reach: f64) -> f64 {
     } else {
         MAX_MESH_EXTENT
     }
+}
+
+/// Returns the units in which the extent of a mesh [m] is probably given, for a robot of this reach [m].
+fn guess_units(extent: f64, reach: f64) -> Option<LikelyUnits> {
+    let most = LEAST_MESH_LIMIT;
+    let usual = match reach > 0.0 {
+        true => (USUAL_MESH_PER_REACH * reach).clamp(10.0 * LEAST_USUAL_MESH, most),
+        false => most,
+    };
+    LikelyUnits::guess(extent, [LEAST_USUAL_MESH, usual], [MIN_MESH_EXTENT, most])
 }
 
 /// Tolerance within which spheres at the ends of a cylinder make it a capsule, in place and radius [m].
@@ -220,7 +233,7 @@ pub(super) fn load(
             };
             let (extent, most) = (mesh.extent(), mesh_limit(reach));
             if !(MIN_MESH_EXTENT..=most).contains(&extent) {
-                let unit = LikelyUnit::guess(extent, MIN_MESH_EXTENT, most.min(LEAST_MESH_LIMIT));
+                let units = guess_units(extent, reach);
                 let w = words(
                     format!("mesh {file:?} is {extent:.3e} m long"),
                     match extent > most {
@@ -230,15 +243,12 @@ pub(super) fn load(
                         true => format!("at most {most} m"),
                         false => format!("at least {MIN_MESH_EXTENT} m"),
                     },
-                    unit.map_or("correct the scale".to_owned(), |unit| {
-                        let [x, y, z] = (scale * unit.metres).into();
-                        format!(
-                            "it is probably in {}: use scale=\"{} {} {}\"",
-                            unit.name,
-                            rounded(x),
-                            rounded(y),
-                            rounded(z)
-                        )
+                    units.map_or("correct the scale".to_owned(), |units| {
+                        let scales = units.factors(|metres| {
+                            let [x, y, z] = (scale * metres).map(rounded).into();
+                            format!("scale=\"{x} {y} {z}\"")
+                        });
+                        format!("it is probably in {}: use {scales}", units.names())
                     }),
                 );
                 report.add(

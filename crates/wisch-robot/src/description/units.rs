@@ -2,7 +2,7 @@
 
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfJoint};
-use crate::geometry::LikelyUnit;
+use crate::geometry::LikelyUnits;
 use crate::{DiagnosticKind, Severity, Subject};
 use std::collections::BTreeMap;
 
@@ -20,6 +20,12 @@ const MOST_DEGREES: f64 = 720.0;
 /// Largest usual velocity of a joint with position limits, and of one without, such as that of a wheel [rad/s].
 const MOST_SPEED: f64 = 20.0;
 const MOST_SPEED_OF_WHEEL: f64 = 60.0;
+/// Largest usual position limit of a prismatic joint [m], and its usual range.
+const MOST_SLIDE: f64 = 20.0;
+const USUAL_SLIDE: [f64; 2] = [0.1, 4.0];
+/// Largest usual velocity [m/s] and acceleration [m/s2] of a prismatic joint; fast linear motors have 5 and 50.
+const MOST_SLIDE_SPEED: f64 = 10.0;
+const MOST_SLIDE_ACCELERATION: f64 = 100.0;
 /// Largest radius of gyration of a link over the reach of the robot [1], and the least value of that limit [m].
 const GYRATION_PER_REACH: f64 = 3.0;
 const LEAST_GYRATION: f64 = 1.0;
@@ -57,9 +63,9 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
             true => Severity::Error,
             false => Severity::Warning,
         };
-        let unit = LikelyUnit::guess(reach, 10.0 * least, most / 5.0);
-        let advice = match unit {
-            Some(unit) => format!("{unit}, in origins, shapes and limits of sliding joints"),
+        let usual = [10.0 * least, most / 5.0];
+        let advice = match LikelyUnits::guess(reach, usual, usual) {
+            Some(units) => format!("{units}, in origins, shapes and limits of sliding joints"),
             None => "give lengths in metres".to_owned(),
         };
         let w = words(
@@ -75,6 +81,9 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
     }
     for joint in &urdf.joints {
         speed(joint, report);
+    }
+    for joint in urdf.joints.iter().filter(|joint| joint.kind == "prismatic") {
+        slide(urdf, joint, report);
     }
 }
 
@@ -167,4 +176,76 @@ fn speed(joint: &UrdfJoint, report: &mut Diagnostics) {
         let subject = Subject::Joint(joint.name.clone());
         report.add(severity, kind, subject, joint.at, w);
     }
+}
+
+/// Reports limits of a prismatic joint that are probably not in metres.
+fn slide(urdf: &Urdf, joint: &UrdfJoint, report: &mut Diagnostics) {
+    let limit = joint.limit.unwrap_or_default();
+    let mut warn = |value: String, limit: String, advice: String| {
+        let (severity, kind) = (Severity::Warning, DiagnosticKind::Units);
+        let subject = Subject::Joint(joint.name.clone());
+        report.add(
+            severity,
+            kind,
+            subject,
+            joint.at,
+            words(value, limit, advice),
+        );
+    };
+    if let (Some(lower), Some(upper)) = (limit.lower, limit.upper) {
+        let widest = lower.abs().max(upper.abs());
+        let units = LikelyUnits::guess(widest, USUAL_SLIDE, [0.0, MOST_SLIDE]);
+        if let Some(units) = units.filter(|_| !is_of_base(urdf, joint)) {
+            warn(
+                format!("it slides from {lower} to {upper} m"),
+                format!("within {MOST_SLIDE} m"),
+                units.to_string(),
+            );
+        }
+    }
+    for (what, unit, in_words, value, most) in [
+        (
+            "velocity",
+            "m/s",
+            "millimetres per second",
+            limit.velocity,
+            MOST_SLIDE_SPEED,
+        ),
+        (
+            "acceleration",
+            "m/s2",
+            "millimetres per second squared",
+            limit.acceleration,
+            MOST_SLIDE_ACCELERATION,
+        ),
+    ] {
+        if let Some(value) = value.filter(|value| *value > most && value.is_finite()) {
+            warn(
+                format!("its {what} limit is {value} {unit}"),
+                format!("at most {most} {unit}"),
+                format!("it is probably in {in_words}: multiply by 0.001; motions use this limit"),
+            );
+        }
+    }
+}
+
+/// Whether a prismatic joint belongs to a planar base, whose range a URDF states as a large number: two prismatic joints,
+/// and a joint that turns on them.
+fn is_of_base(urdf: &Urdf, joint: &UrdfJoint) -> bool {
+    let above = |joint: &UrdfJoint| {
+        let mut joints = urdf.joints.iter();
+        joints.find(|above| above.child == joint.parent)
+    };
+    let below = |joint: &UrdfJoint| {
+        let mut joints = urdf.joints.iter();
+        joints.find(|below| below.parent == joint.child)
+    };
+    let slides = |joint: &&UrdfJoint| joint.kind == "prismatic";
+    let turns = |joint: &&UrdfJoint| joint.kind == "continuous";
+    let second = match below(joint).filter(slides) {
+        Some(second) => second,
+        None if above(joint).filter(slides).is_some() => joint,
+        None => return false,
+    };
+    below(second).filter(turns).is_some()
 }

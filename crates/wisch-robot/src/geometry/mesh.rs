@@ -116,11 +116,11 @@ pub enum MeshError {
         /// Number of segments.
         segments: u32,
     },
-    /// A binary STL ends before the triangles that its header announces.
+    /// The header of a binary STL announces more or fewer triangles than the file holds.
     #[error(
         "its header announces {declared} triangles, but its {bytes} bytes have room for {room}"
     )]
-    Truncated {
+    TriangleCount {
         /// Number of triangles in the header.
         declared: u32,
         /// Length of the file \[bytes\].

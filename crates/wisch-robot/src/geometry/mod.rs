@@ -26,7 +26,7 @@ pub use sheet::{
     TOOL_RADIUS_RANGE,
 };
 pub use triangulation::prism_below;
-pub use units::LikelyUnit;
+pub use units::LikelyUnits;
 
 /// A point in a plane \[m\].
 pub type Point2 = nalgebra::Point2<f64>;

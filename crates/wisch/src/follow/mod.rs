@@ -36,5 +36,5 @@ pub use wisch_robot::timing::{
 };
 pub use workcell::{
     AllowedContact, GRIP_TOLERANCE, HeldTool, HolderCylinder, LEAN_TOLERANCE, MountSource,
-    PlanarBase, PlanningGroup, SecondArm, Workcell, WorkcellConfig,
+    PlanarBase, PlanningGroup, SecondArm, StartAssumption, Workcell, WorkcellConfig,
 };

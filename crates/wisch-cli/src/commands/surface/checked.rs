@@ -5,12 +5,14 @@ use crate::args::SurfaceMeshArgs;
 use crate::failure::Failure;
 use std::path::Path;
 use wisch::geometry::{
-    LikelyUnit, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError, Vector3,
+    LikelyUnits, Mesh, MeshFormat, PartChoice, Point3, Sheet, SheetConfig, SheetError, Vector3,
 };
 use wisch_io::{read, up_axis_remark};
 
 /// Usual lengths of a surface that is wiped [m]; a mesh outside them is probably in another unit.
 const USUAL_EXTENT: [f64; 2] = [0.02, 20.0];
+/// Length of most surfaces that are wiped [m].
+const LIKELY_EXTENT: [f64; 2] = [0.1, 5.0];
 /// Smoothing that moves the surface by more than this share of the compression depth is remarked on [1].
 const NOTICED_SMOOTHING: f64 = 0.25;
 
@@ -63,12 +65,11 @@ pub(super) fn read_mesh(args: &SurfaceMeshArgs) -> Result<ReadMesh, Failure> {
         stretch_limit: args.stretch_limit,
     };
     let mut notes: Vec<String> = up_axis_remark(&name, &bytes).into_iter().collect();
-    let [least, most] = USUAL_EXTENT;
-    if let Some(unit) = LikelyUnit::guess(mesh.extent(), least, most) {
+    if let Some(units) = LikelyUnits::guess(mesh.extent(), LIKELY_EXTENT, USUAL_EXTENT) {
         notes.push(format!(
-            "the mesh is {:.4} m long; {unit} with --scale {}",
+            "the mesh is {:.4} m long; {units} with --scale {}",
             mesh.extent(),
-            unit.metres * args.scale
+            units.factors(|metres| (metres * args.scale).to_string())
         ));
     }
     Ok(ReadMesh {

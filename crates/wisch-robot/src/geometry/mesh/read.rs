@@ -113,8 +113,8 @@ fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
         return Err(MeshError::Syntax { reason });
     };
     let room = (bytes.len() - STL_HEADER) / STL_TRIANGLE;
-    if declared as usize > room {
-        return Err(MeshError::Truncated {
+    if declared as usize != room {
+        return Err(MeshError::TriangleCount {
             declared,
             bytes: bytes.len(),
             room,

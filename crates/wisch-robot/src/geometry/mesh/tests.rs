@@ -386,13 +386,20 @@ fn faults_name_mesh_place_and_limit() {
         .chain([r##"<node id="n60"/>"##.to_owned()])
         .collect();
     let names = r##"<source id="w"><Name_array id="x" count="4000000000">a b</Name_array></source><vertices"##;
-    let cases: [(Vec<u8>, MeshFormat, &str); 14] = [
+    let mut fewer = stl.clone();
+    fewer[80..84].copy_from_slice(&10_u32.to_le_bytes());
+    let cases: [(Vec<u8>, MeshFormat, &str); 15] = [
         (
             stl[..300].to_vec(),
             MeshFormat::Stl,
             "announces 12 triangles, but its 300 bytes have room for 4",
         ),
         (endless, MeshFormat::Stl, "announces 4294967295 triangles"),
+        (
+            fewer,
+            MeshFormat::Stl,
+            "announces 10 triangles, but its 684 bytes have room for 12",
+        ),
         (b"solid".to_vec(), MeshFormat::Stl, ""),
         (vec![], MeshFormat::Stl, "0 bytes"),
         (b"\xff\xfef\0".to_vec(), MeshFormat::Obj, "UTF-16"),

@@ -4,7 +4,9 @@ use super::MountSource;
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
 use crate::represent::Mount;
-use crate::robot::{HOME_STATE, Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf};
+use crate::robot::{
+    GroupState, HOME_STATE, Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf,
+};
 use crate::source_location::UnknownName;
 
 /// A base that moves over the floor: the variables of its position and heading in the root frame.
@@ -28,6 +30,15 @@ pub struct PlanningGroup {
     /// The robot's ready posture: the SRDF's states "ready", for variables that these leave out its states "home", and the
     /// middle of the limits for all other variables; all n variables [rad or m].
     pub ready: Vec<f64>,
+}
+
+/// Where motions begin because no state of an SRDF says so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StartAssumption {
+    /// What the SRDF lacks, as the end of a sentence about the robot.
+    pub lacks: String,
+    /// Where motions begin, with the assumed positions \[rad or m\], as the end of a sentence.
+    pub begins: String,
 }
 
 impl PlanningGroup {
@@ -137,6 +148,59 @@ fn moving_joints_above(robot: &RobotModel, link: LinkId) -> Vec<&Joint> {
         .collect();
     moving.reverse();
     moving
+}
+
+impl StartAssumption {
+    /// Returns what is assumed; `None` if the SRDF's states "ready" set all joints. The states of single tools, such as
+    /// "ready_broom", count too. The joints of a planar base are left out, as the task places the base.
+    pub fn find(robot: &RobotModel, srdf: Option<&Srdf>) -> Option<Self> {
+        let states = srdf.map_or(&[][..], |srdf| &srdf.states);
+        let is_ready = |state: &GroupState| state.name.starts_with(READY_STATE);
+        let is_home = |state: &GroupState| state.name == HOME_STATE;
+        let base = PlanningGroup::choose(robot, srdf, None).ok();
+        let base = base.and_then(|group| planar_base(robot, group.tip));
+        let middles = ready(robot, None);
+        let is_set = |variable: usize| {
+            let mut own = states
+                .iter()
+                .filter(|state| is_ready(state) || is_home(state));
+            own.any(|state| state.positions.iter().any(|(set, _)| *set == variable))
+                || base.is_some_and(|base| [base.x, base.y, base.yaw].contains(&variable))
+        };
+        let joints: Vec<String> = (0..robot.dof())
+            .filter(|&variable| !is_set(variable))
+            .map(|variable| {
+                let joint = robot.variable(variable);
+                let unit = match joint.kind {
+                    JointKind::Prismatic => "m",
+                    _ => "rad",
+                };
+                // Without the sign of a zero.
+                let position = (1e3 * middles[variable]).round() / 1e3 + 0.0;
+                format!("{} = {position} {unit}", joint.name)
+            })
+            .collect();
+        let (has_ready, has_home) = (states.iter().any(is_ready), states.iter().any(is_home));
+        if has_ready && joints.is_empty() {
+            return None;
+        }
+        let lacks = match srdf {
+            None => format!("it has no SRDF, and so no state \"{READY_STATE}\""),
+            Some(_) if !has_ready => format!("its SRDF has no state \"{READY_STATE}\""),
+            Some(_) => {
+                let states = if has_home { " and \"home\"" } else { "" };
+                format!("its SRDF does not set all joints in \"{READY_STATE}\"{states}")
+            }
+        };
+        let home = (!has_ready && has_home).then(|| format!("in its state \"{HOME_STATE}\""));
+        let middle = (!joints.is_empty())
+            .then(|| format!("with {} (middle of the limits)", joints.join(", ")));
+        let begins: Vec<String> = home.into_iter().chain(middle).collect();
+        Some(Self {
+            lacks,
+            begins: begins.join(", "),
+        })
+    }
 }
 
 /// Returns the SRDF's ready states, else its home states, with the middle of the limits for all other variables.

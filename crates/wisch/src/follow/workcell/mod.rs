@@ -7,7 +7,7 @@ mod holder;
 pub(super) mod second_arm;
 mod target_surface;
 
-pub use group::{PlanarBase, PlanningGroup};
+pub use group::{PlanarBase, PlanningGroup, StartAssumption};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
 use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
