@@ -112,8 +112,13 @@ fn exact_binary_stl(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
         );
         return Err(MeshError::Syntax { reason });
     };
-    let room = (bytes.len() - STL_HEADER) / STL_TRIANGLE;
-    if declared as usize != room {
+    let body = &bytes[STL_HEADER..];
+    let room = body.len() / STL_TRIANGLE;
+    let rest = body.get((declared as usize).saturating_mul(STL_TRIANGLE)..);
+    // Some programs append other bytes; whole triangles that are not empty were announced by mistake.
+    let is_longer = rest
+        .is_some_and(|rest| rest.len() % STL_TRIANGLE == 0 && rest.iter().any(|byte| *byte != 0));
+    if declared as usize > room || is_longer {
         return Err(MeshError::TriangleCount {
             declared,
             bytes: bytes.len(),
