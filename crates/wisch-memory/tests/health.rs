@@ -249,7 +249,7 @@ fn few_episodes_and_missing_values_are_stated() {
 }
 
 #[test]
-fn a_sudden_change_is_no_drift_and_loses_its_news() {
+fn a_sudden_change_is_no_drift_and_needs_attention_for_ten_runs() {
     let moved =
         |day: usize, run: &mut Run| shift(&mut run.offset, if day < 12 { 0.0 } else { -5e-3 });
     let report = report_on(&scattered(6, 22, moved));

@@ -23,7 +23,7 @@ const BROWSERS: [&str; 6] = [
     "chrome",
     "microsoft-edge",
 ];
-/// Longest time without any word from the page.
+/// Longest time without progress.
 const PATIENCE: Duration = Duration::from_secs(90);
 /// Longest time for a request.
 const REQUEST: Duration = Duration::from_secs(5);

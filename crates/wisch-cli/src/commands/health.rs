@@ -102,7 +102,7 @@ fn in_words(report: &HealthReport) -> String {
         0,
         &format!(
             "p: probability that chance explains the slope, adjusted to {} (Holm). \
-             If runs scatter independently and nothing changes, any drift or sudden change is shown with a probability of at most {FALSE_ALARM_RATE}.",
+             If runs scatter independently and normally, and nothing changes, any drift or sudden change is shown with a probability of at most {FALSE_ALARM_RATE}.",
             counted(report.tests, "test")
         ),
     );
@@ -175,7 +175,7 @@ fn channel_in_words(health: &ChannelHealth) -> String {
         Some(trend) => {
             let now = unit.value(trend.value);
             let slope = unit.slope(trend);
-            let p = chance(trend.p_adjusted);
+            let p = p_text(trend.p_adjusted);
             format!("{begin}  {now:>11}  {slope:<34}  {p:>8}  {state}\n")
         }
         None => {
@@ -249,7 +249,7 @@ fn change_in_words(
     let advice = finding.map_or_else(String::new, |finding| format!(": {}", finding.advice));
     let runs = counted(runs, "run");
     let time = local_date_and_time(change.time_s);
-    let p = match chance(change.p_adjusted) {
+    let p = match p_text(change.p_adjusted) {
         p if p.starts_with('<') => format!("p {p}"),
         p => format!("p = {p}"),
     };
@@ -293,7 +293,7 @@ fn limit_in_words(limit: &HealthLimit, unit: DisplayUnit) -> String {
 }
 
 /// Formats a probability [1].
-fn chance(p: f64) -> String {
+fn p_text(p: f64) -> String {
     if p < 1e-4 {
         "< 0.0001".to_owned()
     } else {
@@ -400,6 +400,6 @@ mod tests {
     fn a_zero_has_no_sign() {
         assert_eq!(number(-0.001, 2), "0.00");
         assert_eq!(number(-0.1, 2), "-0.10");
-        assert_eq!(chance(2e-7), "< 0.0001");
+        assert_eq!(p_text(2e-7), "< 0.0001");
     }
 }

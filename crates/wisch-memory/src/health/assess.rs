@@ -40,28 +40,28 @@ const RELOCALIZE_TILT: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// ```
 pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
     let mut tests = Vec::new();
-    let mut courses: Vec<Vec<Option<ChannelCourse>>> = Vec::new();
+    let mut all_series: Vec<Vec<Option<ChannelSeries>>> = Vec::new();
     for group in groups {
-        let of_group = HealthChannel::ALL.map(|channel| ChannelCourse::of(group, channel));
-        for course in of_group.iter().flatten() {
-            tests.extend(course.chances());
+        let of_group = HealthChannel::ALL.map(|channel| ChannelSeries::of(group, channel));
+        for series in of_group.iter().flatten() {
+            tests.extend(series.p_values());
         }
-        courses.push(of_group.into());
+        all_series.push(of_group.into());
     }
     let count = tests.len();
     let adjusted = adjust(&tests);
     let mut adjusted = adjusted.into_iter();
-    let groups = groups.iter().zip(courses).map(|(group, courses)| {
-        let channels = HealthChannel::ALL.into_iter().zip(courses);
-        let channels = channels.map(|(channel, course)| {
+    let groups = groups.iter().zip(all_series).map(|(group, all_series)| {
+        let channels = HealthChannel::ALL.into_iter().zip(all_series);
+        let channels = channels.map(|(channel, series)| {
             let recorded = group
                 .rounds
                 .iter()
                 .filter(|round| round.value(channel).is_some())
                 .count();
-            let state = match course {
-                Some(course) => {
-                    let assessment = course.assess(group, &mut adjusted, count);
+            let state = match series {
+                Some(series) => {
+                    let assessment = series.assess(group, &mut adjusted, count);
                     ChannelState::Assessed(Box::new(assessment))
                 }
                 None if unrecorded_runs(group, channel) > NEW_CHANGE_RUNS && recorded > 0 => {
@@ -127,21 +127,21 @@ fn unrecorded_runs(group: &RunGroup, channel: HealthChannel) -> usize {
 /// Adjusts probabilities to their number (Holm 1979): with all of them true, the least of the adjusted ones is below α with
 /// a probability of α at most, however the tests depend on each other.
 #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
-fn adjust(chances: &[f64]) -> Vec<f64> {
-    let mut order: Vec<usize> = (0..chances.len()).collect();
-    order.sort_by(|a, b| chances[*a].total_cmp(&chances[*b]));
-    let mut adjusted = vec![1.0; chances.len()];
+fn adjust(p_values: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..p_values.len()).collect();
+    order.sort_by(|a, b| p_values[*a].total_cmp(&p_values[*b]));
+    let mut adjusted = vec![1.0; p_values.len()];
     let mut largest: f64 = 0.0;
     for (rank, place) in order.into_iter().enumerate() {
-        let factor = (chances.len() - rank) as f64;
-        largest = largest.max((factor * chances[place]).min(1.0));
+        let factor = (p_values.len() - rank) as f64;
+        largest = largest.max((factor * p_values[place]).min(1.0));
         adjusted[place] = largest;
     }
     adjusted
 }
 
-/// The course of a channel of a group, in the scale of the fit, before the probabilities are adjusted.
-struct ChannelCourse<'a> {
+/// The series of a channel of a group, in the scale of the fit, before the probabilities are adjusted.
+struct ChannelSeries<'a> {
     channel: HealthChannel,
     /// The rounds that record the channel, and their values.
     rounds: Vec<&'a FirstRound>,
@@ -156,7 +156,7 @@ struct ChannelCourse<'a> {
     line: Option<RobustLine>,
 }
 
-impl<'a> ChannelCourse<'a> {
+impl<'a> ChannelSeries<'a> {
     fn of(group: &'a RunGroup, channel: HealthChannel) -> Option<Self> {
         let recorded = group.rounds.iter().enumerate();
         let recorded = recorded.filter_map(|(k, round)| Some(((round, k), round.value(channel)?)));
@@ -196,7 +196,7 @@ impl<'a> ChannelCourse<'a> {
     }
 
     /// Returns the probabilities of the tests of this channel: of a sudden change, and of a slope.
-    fn chances(&self) -> impl Iterator<Item = f64> {
+    fn p_values(&self) -> impl Iterator<Item = f64> {
         let has_change_test = self.values.len() >= FEWEST_WITH_CHANGE;
         let change = has_change_test.then(|| self.change.map_or(1.0, |(.., p)| p));
         change
@@ -204,7 +204,7 @@ impl<'a> ChannelCourse<'a> {
             .chain(self.line.as_ref().map(|line| line.p))
     }
 
-    /// Completes the assessment. `adjusted`: the adjusted probabilities of [`Self::chances`], in the same order.
+    /// Completes the assessment. `adjusted`: the adjusted probabilities of [`Self::p_values`], in the same order.
     fn assess(
         &self,
         group: &RunGroup,

@@ -21,7 +21,7 @@ const RANKED: usize = 60;
 /// Length of the shortest intervals.
 const SHORTEST: usize = 16;
 /// Probability up to which a split counts as a change \[1\].
-const MOST_CHANCE: f64 = 0.05;
+const MAX_P_VALUE: f64 = 0.05;
 
 /// A split of a series into two lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,11 +44,11 @@ pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
     let levels = list_intervals(values.len());
     // Intervals of a length overlap by half, and see each place twice at most.
     let tried = levels.len() * (values.len() + 1).saturating_sub(2 * FEWEST_BESIDE_CHANGE);
-    let chance = |interval: [usize; 2], place| {
-        let fit = tried as f64 * sums.chance(interval, place, scatter);
+    let p_value = |interval: [usize; 2], place| {
+        let fit = tried as f64 * sums.p_value(interval, place, scatter);
         // The order of a few values has a least probability, so it is compared with the places of its interval only.
         let places = interval[1] - interval[0] + 1 - 2 * FEWEST_BESIDE_CHANGE;
-        let order = places as f64 * ranks_by_chance(values, interval, place, scatter);
+        let order = places as f64 * rank_p_value(values, interval, place, scatter);
         fit.max(order).min(1.0)
     };
     let mut found: BTreeMap<usize, f64> = BTreeMap::new();
@@ -56,8 +56,8 @@ pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
         let candidates = intervals.into_iter().filter_map(|[from, to]| {
             let is_open = found.range(from + 1..to).next().is_none();
             let place = sums.split([from, to], scatter).filter(|_| is_open)?;
-            let p = chance([from, to], place);
-            (p <= MOST_CHANCE).then_some(([from, to], place, p))
+            let p = p_value([from, to], place);
+            (p <= MAX_P_VALUE).then_some(([from, to], place, p))
         });
         let mut candidates: Vec<([usize; 2], usize, f64)> = candidates.collect();
         candidates.sort_by(|a, b| a.2.total_cmp(&b.2).then(a.1.cmp(&b.1)));
@@ -72,7 +72,7 @@ pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
     let changes = found.into_iter().enumerate();
     let changes = changes.map(|(k, (place, p))| ChangePoint {
         place,
-        p: p.min(chance([bounds[k], bounds[k + 2]], place)),
+        p: p.min(p_value([bounds[k], bounds[k + 2]], place)),
     });
     changes.collect()
 }
@@ -170,7 +170,7 @@ impl Sums {
     }
 
     /// Returns the probability that one line fits so much worse than two by chance \[1\].
-    fn chance(&self, [from, to]: [usize; 2], place: usize, scatter: f64) -> f64 {
+    fn p_value(&self, [from, to]: [usize; 2], place: usize, scatter: f64) -> f64 {
         let [one, two] = self.variances([from, to], place, scatter);
         // With two further parameters, P(F > f) = (S₂ / S₁)^((n − 4) / 2) in closed form.
         (two / one).powf(0.5 * (to - from).saturating_sub(4) as f64)
@@ -181,7 +181,7 @@ impl Sums {
 ///
 /// The line through the longer side is subtracted first, so that a drift is no change, and a drift that begins again from
 /// its start is one. Equal values count against a change.
-fn ranks_by_chance(values: &[f64], [from, to]: [usize; 2], place: usize, scatter: f64) -> f64 {
+fn rank_p_value(values: &[f64], [from, to]: [usize; 2], place: usize, scatter: f64) -> f64 {
     let (from, to) = (
         from.max(place.saturating_sub(RANKED)),
         to.min(place + RANKED),
@@ -294,14 +294,14 @@ mod tests {
     }
 
     #[test]
-    fn chances_of_ranks_are_those_of_tables() {
+    fn p_values_of_ranks_are_those_of_tables() {
         // Four values above four others: 2 of the 70 orders; with two pairs against it, 2 (1 + 1 + 2) of them.
-        let chance = |values: &[f64]| ranks_by_chance(values, [0, 8], 4, 0.0);
+        let p_value = |values: &[f64]| rank_p_value(values, [0, 8], 4, 0.0);
         let apart = [1.0, 3.0, 3.0, 1.0, 8.0, 6.0, 7.0, 5.0];
-        assert!((chance(&apart) - 2.0 / 70.0).abs() < 1e-12);
+        assert!((p_value(&apart) - 2.0 / 70.0).abs() < 1e-12);
         let close = [1.0, 3.0, 3.0, 1.0, 8.0, 6.0, 7.0, 2.0];
-        assert!((chance(&close) - 8.0 / 70.0).abs() < 1e-12);
-        assert_eq!(chance(&[1.0; 8]), 1.0);
+        assert!((p_value(&close) - 8.0 / 70.0).abs() < 1e-12);
+        assert_eq!(p_value(&[1.0; 8]), 1.0);
     }
 
     #[test]

@@ -84,8 +84,8 @@ impl RobustLine {
         Self {
             slope,
             slope_within,
-            p: kendall.chance(order.unsigned_abs() as usize),
-            least_p: kendall.least_chance(),
+            p: kendall.p_value(order.unsigned_abs() as usize),
+            least_p: kendall.least_p_value(),
             ends: [at.first(), at.last()].map(|at| begin + slope * at.copied().unwrap_or(0.0)),
             uncertainty: student * 2.0 * deviation / n.sqrt(),
         }
@@ -127,12 +127,12 @@ impl Kendall {
     }
 
     /// Returns the least probability that values can have, those in order \[1\].
-    fn least_chance(&self) -> f64 {
-        self.chance(self.pairs)
+    fn least_p_value(&self) -> f64 {
+        self.p_value(self.pairs)
     }
 
     /// Returns the probability that |S| is at least a number \[1\].
-    fn chance(&self, order: usize) -> f64 {
+    fn p_value(&self, order: usize) -> f64 {
         if order == 0 {
             return 1.0;
         }
@@ -218,17 +218,17 @@ mod tests {
     }
 
     #[test]
-    fn chances_are_those_of_tables() {
+    fn p_values_are_those_of_tables() {
         // Kendall 1948, table 1: 5 values in order by chance 1 / 120; S ≥ 8 by 5 / 120.
         let five = Kendall::of(5);
-        assert!((five.chance(10) - 2.0 / 120.0).abs() < 1e-12);
-        assert!((five.chance(8) - 10.0 / 120.0).abs() < 1e-12);
+        assert!((five.p_value(10) - 2.0 / 120.0).abs() < 1e-12);
+        assert!((five.p_value(8) - 10.0 / 120.0).abs() < 1e-12);
         assert_eq!(five.left_out(), Some(0));
         // 30 values: the normal distribution is close.
         let (exact, mut normal) = (Kendall::of(30), Kendall::of(30));
         normal.exact.clear();
         for order in [31, 101, 151] {
-            let ratio = normal.chance(order) / exact.chance(order);
+            let ratio = normal.p_value(order) / exact.p_value(order);
             assert!((0.9..1.3).contains(&ratio), "{order}: {ratio}");
         }
         for (z, tail) in [
