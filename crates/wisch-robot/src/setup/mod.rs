@@ -56,5 +56,7 @@ pub use config::{SetupConfig, SetupStage};
 pub use error::SetupError;
 pub use pairs::{LinkPairs, sample_pairs};
 pub use postures::{held_posture, middle_posture};
-pub use ready::{ReadyPosture, ReadyRequest, SINGULAR, find_ready, manipulability};
+pub use ready::{
+    ReadyPosture, ReadyRequest, SINGULAR, find_ready, find_ready_postures, manipulability,
+};
 pub use region::{WipingRegion, find_table, hand_extent};

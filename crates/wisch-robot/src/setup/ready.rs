@@ -47,6 +47,8 @@ const TURN_COST: f64 = 1.5;
 const MAX_TILT: f64 = 0.01;
 /// Clearance from obstacles [m], which the planner keeps as well.
 const OBSTACLE_CLEARANCE: f64 = 5e-3;
+/// Least difference of a joint between two postures of which one does not stand for the other [rad or m].
+const DISTINCT: f64 = 0.8;
 /// Clearance up to which pairs are measured [m].
 const MAX_CLEARANCE: f64 = 1.0;
 /// Steps per radian or metre to which joint positions are rounded: 0.0001 rad or m.
@@ -148,6 +150,25 @@ pub fn find_ready(
     config: &SetupConfig,
     progress: impl Fn(SetupStage, usize, usize) + Sync,
 ) -> Result<ReadyPosture, SetupError> {
+    Ok(find_ready_postures(request, config, 1, progress)?.swap_remove(0))
+}
+
+/// Searches for several ready postures, as [`find_ready`] does, the best one first.
+///
+/// `count`: largest number of postures, at least 1. In each of them, a joint is 0.8 rad or m or more from its position
+/// in all better ones, so that an elbow above the tool and one below it are both among them.
+///
+/// # Errors
+/// If a setting is out of range, the group or posture does not fit the robot, or every posture collides.
+///
+/// # Panics
+/// If a link of the group belongs to another, larger robot.
+pub fn find_ready_postures(
+    request: &ReadyRequest<'_>,
+    config: &SetupConfig,
+    count: usize,
+    progress: impl Fn(SetupStage, usize, usize) + Sync,
+) -> Result<Vec<ReadyPosture>, SetupError> {
     config.check()?;
     let (robot, group) = (request.robot, request.group);
     let reach = hand_extent(robot, group.tip, request.axis, request.held)?;
@@ -183,12 +204,9 @@ pub fn find_ready(
                     Candidate::Free(posture) => free.push(*posture),
                 }
             }
-            let count = free.len();
-            if let Some(best) = choose(robot, search.solver.chain(), region, free) {
-                return Ok(ReadyPosture {
-                    free: count,
-                    ..best
-                });
+            let chosen = choose(robot, search.solver.chain(), region, free, count.max(1));
+            if !chosen.is_empty() {
+                return Ok(chosen);
             }
         }
     }
@@ -371,13 +389,15 @@ impl Search<'_> {
     }
 }
 
-/// Returns the posture with the best score; among those that point at the surface if there are any.
+/// Returns the distinct postures with the best scores; among those that point at the surface if there are any.
 fn choose(
     robot: &RobotModel,
     chain: &Chain,
     region: &WipingRegion,
     free: Vec<ReadyPosture>,
-) -> Option<ReadyPosture> {
+    count: usize,
+) -> Vec<ReadyPosture> {
+    let found = free.len();
     let is_straight = |posture: &ReadyPosture| posture.tilt <= MAX_TILT;
     let any_straight = free.iter().any(is_straight);
     let most = (free.iter().map(|posture| posture.manipulability)).fold(0.0, f64::max);
@@ -404,9 +424,22 @@ fn choose(
     };
     let candidates = free.into_iter().filter(|p| !any_straight || is_straight(p));
     let scored = candidates.map(|posture| (score(&posture), posture));
-    // Of equal scores the first one is taken.
-    let best = scored.reduce(|best, next| if next.0 > best.0 { next } else { best });
-    best.map(|(_, posture)| posture)
+    let mut scored: Vec<_> = scored.filter(|(score, _)| score.is_finite()).collect();
+    // The sort is stable, so of equal scores the first one found stays first.
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut chosen: Vec<ReadyPosture> = Vec::new();
+    for (_, posture) in scored {
+        let differs = |other: &ReadyPosture| {
+            (posture.q.iter().zip(&other.q)).any(|(a, b)| (a - b).abs() >= DISTINCT)
+        };
+        if chosen.len() < count && chosen.iter().all(differs) {
+            chosen.push(ReadyPosture {
+                free: found,
+                ..posture
+            });
+        }
+    }
+    chosen
 }
 
 /// Distance of a point from the middle of a region, as a share of that of its corners, at most 1.

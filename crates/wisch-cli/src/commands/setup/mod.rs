@@ -2,6 +2,7 @@
 
 mod proposal;
 mod text;
+mod trial;
 
 use crate::args::{GlobalArgs, RobotSetupArgs};
 use crate::failure::Failure;
@@ -15,7 +16,8 @@ use wisch::robot::setup::{
 };
 use wisch::robot::{LinkId, RobotModel, VirtualJoint};
 use wisch_io::{
-    Error, LoadOptions, OutputFile, load_task, read_text, robot_meshes, robot_warnings,
+    Error, LoadOptions, LoadedTask, OutputFile, RobotDescription, load_task, read_text,
+    robot_meshes, robot_warnings,
 };
 
 /// Extension of the file.
@@ -25,12 +27,6 @@ const EXTENSION: &str = "srdf";
 pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the robot");
-    let (robot, base) = read_robot(args)?;
-    let tips = args.tips.iter().map(|tip| robot.link(tip));
-    let tips: Vec<LinkId> = tips.collect::<Result<_, _>>().map_err(|error| {
-        Failure::new(format!("--tip: {error}"))
-            .with_help("name the link that holds the tool, such as tool0 or a flange")
-    })?;
     let task = match &args.task {
         Some(path) => Some(load_task(
             path,
@@ -41,6 +37,13 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
         )?),
         None => None,
     };
+    let packages = packages(args, task.as_ref());
+    let (robot, base) = read_robot(args, &packages)?;
+    let tips = args.tips.iter().map(|tip| robot.link(tip));
+    let tips: Vec<LinkId> = tips.collect::<Result<_, _>>().map_err(|error| {
+        Failure::new(format!("--tip: {error}"))
+            .with_help("name the link that holds the tool, such as tool0 or a flange")
+    })?;
     // The file comes before the long computation, so that a missing permission is reported at once.
     let out = out_file(args)?;
     refuse_existing(&out, args.force)?;
@@ -86,11 +89,30 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
     Ok(Outcome::Done)
 }
 
+/// Returns the folders of ROS packages: those of the command line, then those of the task.
+fn packages(args: &RobotSetupArgs, task: Option<&LoadedTask>) -> Vec<(String, PathBuf)> {
+    let mut packages = args.packages.clone();
+    let description = task.and_then(|task| Some(&task.file.robot.as_ref()?.description));
+    let folder = (args.task.as_deref()).and_then(Path::parent);
+    if let Some(RobotDescription::Files {
+        packages: of_task, ..
+    }) = description
+    {
+        let folder = folder.unwrap_or(Path::new(""));
+        let of_task = of_task.iter();
+        packages.extend(of_task.map(|(name, path)| (name.clone(), folder.join(path))));
+    }
+    packages
+}
+
 /// Reads the robot; with `--mobile`, on a planar base, which is returned too.
-fn read_robot(args: &RobotSetupArgs) -> Result<(RobotModel, Option<VirtualJoint>), Failure> {
+fn read_robot(
+    args: &RobotSetupArgs,
+    packages: &[(String, PathBuf)],
+) -> Result<(RobotModel, Option<VirtualJoint>), Failure> {
     let text = read_text(&args.file)?;
     let name = args.file.display().to_string();
-    let mut meshes = robot_meshes(&args.file, &args.packages);
+    let mut meshes = robot_meshes(&args.file, packages);
     let mut read = |text: &str| {
         let read = RobotModel::from_urdf(&name, text, &mut meshes);
         let mut robot = read.map_err(|error| Error::Urdf {

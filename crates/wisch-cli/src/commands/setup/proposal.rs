@@ -1,10 +1,12 @@
 //! The search for groups, pairs and a ready posture, with a tool on the tip and, if there is a task, in its scene.
 
+use super::trial::{Trial, Tried};
 use wisch::follow::{FollowError, Workcell, WorkcellConfig};
 use wisch::geometry::{Bounds2, Mesh, Pose, Vector3};
 use wisch::robot::setup::{
     ArmChain, LinkPairs, ReadyPosture, ReadyRequest, SetupConfig, SetupError, SetupStage,
-    WipingRegion, find_arms, find_ready, find_table, hand_extent, held_posture, sample_pairs,
+    WipingRegion, find_arms, find_ready_postures, find_table, hand_extent, held_posture,
+    sample_pairs,
 };
 use wisch::robot::{
     CollisionModel, Group, GroupState, JointId, JointKind, LinkAxis, LinkId, READY_STATE,
@@ -19,6 +21,8 @@ const STAND_INS: [Option<[f64; 3]>; 3] = [Some([0.10, 0.10, 0.12]), Some([0.03, 
 const REST_GROUP: &str = "rest";
 /// Size of the table under a fixed arm \[m\].
 const TABLE: [f64; 3] = [6.0, 6.0, 0.5];
+/// Number of ready postures from which a plan of the task is followed.
+const TRIED_POSTURES: usize = 8;
 /// Acceleration of gravity \[m/s²\].
 const GRAVITY: f64 = 9.81;
 /// Cosine of the largest angle between the normal of a level surface and the vertical [1].
@@ -36,6 +40,8 @@ pub struct Proposal {
     pub assumed: Assumed,
     /// Ready posture of each arm, with the group that was moved.
     pub ready: Vec<(Group, ReadyPosture)>,
+    /// How the ready posture of the first arm was chosen, if a plan of the task was followed for it.
+    pub tried: Option<Tried>,
 }
 
 /// What a search assumes to find a ready posture, beyond what is usual.
@@ -56,6 +62,13 @@ struct Scene {
     /// Posture of the robot before the search; n values.
     held: Vec<f64>,
     place: Place,
+}
+
+/// What a search for ready postures found.
+#[derive(Default)]
+struct Found {
+    ready: Vec<(Group, ReadyPosture)>,
+    tried: Option<Tried>,
 }
 
 /// Where a surface is.
@@ -101,11 +114,12 @@ pub fn propose(
             })
         })
         .collect();
-    let (ready, assumed) = match task {
+    let (Found { ready, tried }, assumed) = match task {
         Some(task) => {
-            let scene = scene_of_task(robot, &srdf, task)?;
-            let ready = find_postures(robot, &arms, scene, config, &progress)?;
-            (ready, Assumed::default())
+            let (scene, trial) = scene_of_task(robot, &srdf, task)?;
+            let trial = trial.as_ref().map(|trial| (trial, &srdf));
+            let found = find_postures(robot, &arms, scene, trial, config, &progress)?;
+            (found, Assumed::default())
         }
         None => search_without_task(robot, &srdf, &arms, config, &progress)?,
     };
@@ -119,6 +133,7 @@ pub fn propose(
         arms,
         pairs,
         ready,
+        tried,
     })
 }
 
@@ -129,13 +144,13 @@ fn search_without_task(
     arms: &[ArmChain],
     config: &SetupConfig,
     progress: Progress<'_>,
-) -> Result<(Vec<(Group, ReadyPosture)>, Assumed), SetupError> {
+) -> Result<(Found, Assumed), SetupError> {
     let mut refused = None;
     for hangs in [false, true] {
         for stand_in in STAND_INS {
             let scene = scene_without_task(robot, srdf, arms, stand_in, hangs)?;
             let no_tool = stand_in.is_none();
-            match find_postures(robot, arms, scene, config, progress) {
+            match find_postures(robot, arms, scene, None, config, progress) {
                 // Most robots stand, so what prevents that is reported.
                 Err(error @ SetupError::NoReadyPosture { .. }) if !hangs => refused = Some(error),
                 Err(SetupError::NoReadyPosture { .. }) => {}
@@ -143,17 +158,20 @@ fn search_without_task(
             }
         }
     }
-    refused.map_or_else(|| Ok((Vec::new(), Assumed::default())), Err)
+    refused.map_or_else(|| Ok((Found::default(), Assumed::default())), Err)
 }
 
-/// Searches the ready postures of all arms, one after the other; each keeps those before it.
+/// Searches the ready postures of all arms, one after the other; each keeps those before it. With a trial, that of the first
+/// arm, which holds the tool, is the one of the best that reaches most of the surface.
 fn find_postures(
     robot: &RobotModel,
     arms: &[ArmChain],
     scene: Scene,
+    trial: Option<(&Trial<'_>, &Srdf)>,
     config: &SetupConfig,
     progress: Progress<'_>,
-) -> Result<Vec<(Group, ReadyPosture)>, SetupError> {
+) -> Result<Found, SetupError> {
+    let mut tried = None;
     let mut held = straighten(robot, arms, scene.held)?;
     let mut moved: Vec<usize> = Vec::new();
     let mut ready = Vec::new();
@@ -169,23 +187,33 @@ fn find_postures(
                 collisions: &scene.collisions,
                 regions: &regions[..places],
             };
-            match find_ready(&request, config, progress) {
+            let trial = trial.filter(|_| ready.is_empty());
+            let count = trial.map_or(1, |_| TRIED_POSTURES);
+            match find_ready_postures(&request, config, count, progress) {
                 Err(error @ SetupError::NoReadyPosture { .. }) => found = Some(Err(error)),
                 other => {
-                    found = Some(other.map(|posture| (group.clone(), posture)));
+                    found = Some(other.map(|postures| (group.clone(), postures)));
                     break;
                 }
             }
         }
-        let Some((group, posture)) = found.transpose()? else {
+        let Some((group, mut postures)) = found.transpose()? else {
             continue;
+        };
+        let posture = match trial.filter(|_| ready.is_empty()) {
+            Some((trial, srdf)) => {
+                let (best, result) = trial.choose(robot, srdf, arms, &group, postures)?;
+                tried = result;
+                best
+            }
+            None => postures.swap_remove(0),
         };
         held.clone_from(&posture.q);
         let chain = robot.chain(group.base, group.tip)?;
         moved.extend_from_slice(chain.variables());
         ready.push((group, posture));
     }
-    Ok(ready)
+    Ok(Found { ready, tried })
 }
 
 /// Returns the posture with the revolute joints that carry an arm, such as those of a torso, at 0 where their limits permit
@@ -256,7 +284,7 @@ fn rest_state(robot: &RobotModel) -> Vec<GroupState> {
 }
 
 /// Returns the ready states of all groups, from the last posture, which has all arms in place.
-fn states(
+pub(super) fn states(
     robot: &RobotModel,
     arms: &[ArmChain],
     ready: &[(Group, ReadyPosture)],
@@ -375,8 +403,12 @@ fn cuboid(name: &str, size: Vector3) -> Result<Mesh, SetupError> {
     })
 }
 
-/// Returns the robot with the task's tool in the task's scene, where the task puts it.
-fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<Scene, SetupError> {
+/// Returns the robot with the task's tool in the task's scene, where the task puts it, and for a fixed base a trial.
+fn scene_of_task<'a>(
+    robot: &RobotModel,
+    srdf: &Srdf,
+    task: &'a LoadedTask,
+) -> Result<(Scene, Option<Trial<'a>>), SetupError> {
     let config = WorkcellConfig {
         group: None,
         second_group: None,
@@ -398,11 +430,16 @@ fn scene_of_task(robot: &RobotModel, srdf: &Srdf, task: &LoadedTask) -> Result<S
         name: surface.name.clone(),
         is_driven_to: cell.base().is_some(),
     });
-    Ok(Scene {
+    let scene = Scene {
         collisions: cell.collisions().clone(),
         held: cell.ready_posture().to_vec(),
         place: known.map_or(Place::Around, Place::Known),
-    })
+    };
+    let trial = match cell.base() {
+        None => Trial::new(task, config),
+        Some(_) => None,
+    };
+    Ok((scene, trial))
 }
 
 /// Whether a joint moves the robot's base, which is that of its first group.

@@ -1,6 +1,7 @@
 //! Comments of the SRDF, the summary and the JSON object.
 
 use super::proposal::{Proposal, is_mobile};
+use super::trial::Tried;
 use crate::args::RobotSetupArgs;
 use crate::commands::PROGRAM;
 use crate::commands::words::{counted, internal};
@@ -8,6 +9,7 @@ use crate::failure::Failure;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_3;
 use std::fmt::Write;
+use std::iter;
 use std::path::Path;
 use wisch::robot::setup::{
     ArmChain, LinkPairs, ProposedGroup, ReadyPosture, SINGULAR, SetupConfig, SetupError,
@@ -65,9 +67,32 @@ struct GroupRecord<'a> {
     tip_tilt_rad: f64,
 }
 
+/// How the posture was chosen with a task.
+#[derive(Debug, Serialize)]
+struct TriedRecord {
+    /// Number of postures from which a plan over the task's surface was followed.
+    postures: usize,
+    nodes: usize,
+    /// Number of nodes that are out of reach from this posture.
+    abandoned_nodes: usize,
+}
+
+impl From<Tried> for TriedRecord {
+    fn from(tried: Tried) -> Self {
+        Self {
+            postures: tried.postures,
+            nodes: tried.nodes,
+            abandoned_nodes: tried.abandoned,
+        }
+    }
+}
+
 #[derive(Debug, Serialize)]
 struct ReadyRecord<'a> {
     group: &'a str,
+    /// Left out without a task, for a base that drives, and if no plan of the task can be followed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tried: Option<TriedRecord>,
     place: &'a str,
     clearance_m: f64,
     manipulability: f64,
@@ -124,7 +149,10 @@ impl<'a> SetupRecord<'a> {
                 tip_tilt_rad: arm.tip_tilt,
             })
         });
-        let ready = proposal.ready.iter().map(|(group, ready)| ReadyRecord {
+        // The first arm holds the tool.
+        let tried = iter::once(proposal.tried).chain(iter::repeat(None));
+        let ready = (proposal.ready.iter().zip(tried)).map(|((group, ready), tried)| ReadyRecord {
+            tried: tried.map(TriedRecord::from),
             group: &group.name,
             place: &ready.place,
             clearance_m: ready.clearance,
@@ -231,6 +259,10 @@ pub fn comments(
             )
         })
     });
+    let mut states: Vec<String> = states.collect();
+    if let (Some(tried), Some(first)) = (proposal.tried, states.first_mut()) {
+        let _ = write!(first, "\n{}.", describe_trial(tried));
+    }
     let pairs = &proposal.pairs;
     let mut about_pairs = format!(
         "{} of {} pairs of links are not checked against each other: {}.\n\
@@ -263,7 +295,7 @@ pub fn comments(
             robot.name()
         ),
         groups,
-        states: states.chain([rest.to_owned()]).collect(),
+        states: states.into_iter().chain([rest.to_owned()]).collect(),
         counterbalanced: counterbalance_note(robot, proposal).unwrap_or_default(),
         pairs: about_pairs,
     }
@@ -289,6 +321,16 @@ fn describe_ready(ready: &ReadyPosture, pairs: &LinkPairs, seed: u64) -> String 
         ready.manipulability,
         counted(ready.free, "posture"),
         ready.samples,
+    )
+}
+
+/// Describes how a posture was chosen with a task.
+fn describe_trial(tried: Tried) -> String {
+    format!(
+        "Of {} tried with a plan over the task's surface, this one leaves the fewest nodes out of reach: {} of {}",
+        counted(tried.postures, "posture"),
+        tried.abandoned,
+        tried.nodes
     )
 }
 
@@ -338,7 +380,7 @@ pub fn describe(
             lines.push(("gripper", format!("{part} is on the tip: {advice}")));
         }
     }
-    for (group, ready) in &proposal.ready {
+    for (i, (group, ready)) in proposal.ready.iter().enumerate() {
         lines.push((
             READY_STATE,
             format!(
@@ -350,6 +392,9 @@ pub fn describe(
                 100.0 * ready.limit_share
             ),
         ));
+        if let (0, Some(tried)) = (i, proposal.tried) {
+            lines.push(("reach", describe_trial(tried)));
+        }
         if ready.manipulability <= SINGULAR {
             lines.push(("note", format!(
                 "{}: the ready posture is singular: in some direction, the joints cannot move the tip",
