@@ -346,6 +346,7 @@ fn a_round_lists_the_candidate_plans() {
             candidate: Err(PlanError::NoFreeNode {
                 surface: "board".to_owned(),
                 diameter: 0.2,
+                has_obstacles: true,
             }
             .into()),
             prediction: None,

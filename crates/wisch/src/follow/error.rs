@@ -44,6 +44,19 @@ pub enum FollowError {
         /// Required clearance \[m\].
         limit: f64,
     },
+    /// The lifted tool would be too close to the surface to move.
+    #[error(
+        "plan.lift_height_m is {lift} m, but must exceed {} m: the tool is pressed in by {pressed} m, and keeps {margin} m from obstacles when lifted",
+        round_to_micrometres(pressed + margin)
+    )]
+    LowLift {
+        /// Height of lifts \[m\].
+        lift: f64,
+        /// Depth by which the surface compresses the tool \[m\].
+        pressed: f64,
+        /// Required clearance \[m\].
+        margin: f64,
+    },
     /// The robot's ready posture is outside its limits.
     #[error("the robot cannot start: {0}")]
     StartOutOfLimits(crate::robot::LimitFault),
@@ -145,4 +158,8 @@ pub enum FollowError {
 fn reason_suffix(why: &Option<super::Obstruction>) -> String {
     why.as_ref()
         .map_or_else(String::new, |why| format!(": {why}"))
+}
+
+fn round_to_micrometres(length: f64) -> f64 {
+    (length * 1e6).round() / 1e6
 }

@@ -89,6 +89,7 @@ pub fn follow(
     config.check()?;
     check_touch(task, plan, cell)?;
     check_start(cell, config)?;
+    check_lift(task, plan, config)?;
     let follower = Follower {
         task,
         plan,
@@ -121,6 +122,21 @@ fn check_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError
             limit: config.margin,
         }),
     }
+}
+
+/// Checks that the lifted tool is as far from the surface as from other obstacles. A lift begins where the tool is pressed
+/// into the surface.
+fn check_lift(task: &Task, plan: &Plan, config: &FollowConfig) -> Result<(), FollowError> {
+    let pressed = task.interaction.compression_depth_m.max(0.0);
+    let (lift, least) = (plan.lift_height, pressed + config.margin);
+    if plan.strokes.is_empty() || task.interaction.hovers() || lift > least {
+        return Ok(());
+    }
+    Err(FollowError::LowLift {
+        lift,
+        pressed,
+        margin: config.margin,
+    })
 }
 
 /// Checks that the hand is clear of the surface at some node where the tool touches it.

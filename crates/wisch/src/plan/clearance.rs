@@ -88,6 +88,15 @@ impl FreeSpace {
         &self.occupied
     }
 
+    /// The reason why no node fits on the surface.
+    pub(super) fn explain_no_free_node(&self) -> PlanError {
+        PlanError::NoFreeNode {
+            surface: self.surface.name.clone(),
+            diameter: 2.0 * self.radius,
+            has_obstacles: self.geometry.is_some(),
+        }
+    }
+
     /// Distance from a point of the surface's plane to the scene above it \[m\]; 0 inside an object.
     pub fn distance(&self, point: Point2) -> f64 {
         if self.is_occupied(point) {

@@ -9,13 +9,16 @@ use crate::represent::{Action, ShapeFault};
 pub enum PlanError {
     /// No node fits on the surface.
     #[error(
-        "surface \"{surface}\": no free place for the tool, which needs {diameter:.3} m of clearance; take a smaller tool or move the obstacles"
+        "surface \"{surface}\": no free place for the tool, which needs {diameter:.3} m of clearance; take a smaller tool{}",
+        if *has_obstacles { " or move the obstacles" } else { " or a larger surface" }
     )]
     NoFreeNode {
         /// Name of the surface.
         surface: String,
         /// Required clearance, d_s \[m\].
         diameter: f64,
+        /// Whether there are objects besides the surface.
+        has_obstacles: bool,
     },
     /// No sample of the density lies at a free place, because the bandwidth is much larger than the surface.
     #[error(

@@ -79,10 +79,7 @@ pub(super) fn lanes(
     });
     let (_, _, best) = best.expect("there are two directions");
     if best.strokes.is_empty() && !task.particles.is_empty() {
-        return Err(PlanError::NoFreeNode {
-            surface: task.surface.name.clone(),
-            diameter: 2.0 * space.radius(),
-        });
+        return Err(space.explain_no_free_node());
     }
     Ok(best)
 }

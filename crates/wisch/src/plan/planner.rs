@@ -400,9 +400,6 @@ fn search_strokes(
     }
     match search(task, dirt, space, &begun_with, None, config) {
         Some(plan) => Ok(plan),
-        None => Err(failure.unwrap_or_else(|| PlanError::NoFreeNode {
-            surface: task.surface.name.clone(),
-            diameter: 2.0 * space.radius(),
-        })),
+        None => Err(failure.unwrap_or_else(|| space.explain_no_free_node())),
     }
 }

@@ -57,10 +57,7 @@ pub(super) fn plan_by_coverage(
                 usual: radius,
             });
         }
-        return Err(PlanError::NoFreeNode {
-            surface: task.surface.name.clone(),
-            diameter: 2.0 * radius,
-        });
+        return Err(space.explain_no_free_node());
     }
     let mut plan = match task.action {
         Action::Absorb => absorb(task, config, space, coverage)?,
@@ -350,10 +347,7 @@ fn best_collect(
         }
     }
     best.map(|(_, plan)| plan)
-        .ok_or_else(|| PlanError::NoFreeNode {
-            surface: task.surface.name.clone(),
-            diameter: 2.0 * space.radius(),
-        })
+        .ok_or_else(|| space.explain_no_free_node())
 }
 
 /// Skim: a forest of minimum spanning trees, one for each goal node beyond the edge; paper §3.2.
