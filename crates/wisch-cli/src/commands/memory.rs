@@ -32,7 +32,8 @@ struct Listed<'a> {
     /// Estimated performance after the last round; absent without a wiping action.
     #[serde(skip_serializing_if = "Option::is_none")]
     performance: Option<f64>,
-    succeeded: bool,
+    /// Whether the goal was met; null if that is unknown.
+    succeeded: Option<bool>,
     /// `met`, `not met` or `unknown`.
     goal: &'static str,
     human_collisions: usize,
@@ -102,7 +103,7 @@ impl<'a> Listed<'a> {
             duration_s: row.interval[1] - row.interval[0],
             rounds: row.rounds.len(),
             performance,
-            succeeded: goal == "met",
+            succeeded: (goal != UNKNOWN).then_some(goal == "met"),
             goal,
             human_collisions: collisions.get(&row.first).copied().unwrap_or(0),
         }

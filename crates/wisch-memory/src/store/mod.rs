@@ -153,7 +153,9 @@ impl Memory {
         if is_id(id) && folder.is_dir() {
             return Ok(Episode::new(id, folder));
         }
-        let likeness = |other: &String| strsim::jaro_winkler(id, other);
+        // The beginning of a name is usually what was meant.
+        let likeness =
+            |other: &String| f64::from(other.starts_with(id)) + strsim::jaro_winkler(id, other);
         let names = self.episodes()?.into_iter();
         let nearest = names.max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
         Err(MemoryError::Unknown {
