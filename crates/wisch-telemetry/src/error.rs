@@ -232,6 +232,30 @@ pub enum ReadFault {
         /// The reorder window \[s\].
         limit: f64,
     },
+    /// The messages of a topic are in several frames.
+    #[error(
+        "topic {topic}: its messages are in the frames {:?} and {:?}, so that several sensors or publishers may be mixed",
+        .frames[0],
+        .frames[1]
+    )]
+    SeveralFrames {
+        /// The topic.
+        topic: String,
+        /// The frame of the first message, and the first other one.
+        frames: [String; 2],
+    },
+    /// The times go back, and go on from there through times that were there before.
+    #[error(
+        "{place}: the clock was set back from {last} s to {time} s: the log holds these times twice, with other values"
+    )]
+    ClockSetBack {
+        /// Name of a message or line soon after that.
+        place: String,
+        /// Time to which the clock was set \[s\].
+        time: f64,
+        /// Latest time before \[s\].
+        last: f64,
+    },
     /// A message of a sample is invalid.
     #[error("topic {topic}: {problem}")]
     Sample {
@@ -315,7 +339,7 @@ pub enum ReadFault {
     },
     /// All wrenches of the log are stale, saturated or untared.
     #[error(
-        "the wrenches of all {count} samples are stale, saturated or untared, so the log shows no touch"
+        "the wrenches of all {count} samples are stale, saturated, untared or with a frozen pose, so the log shows no touch"
     )]
     UnusableWrenches {
         /// Number of samples.

@@ -33,6 +33,9 @@ fn plain(frame: &str) -> &str {
     frame.trim_start_matches('/')
 }
 
+/// Distance [m] and angle [rad] of two constant poses of a frame that count as the same.
+const MOST_CHANGE: [f64; 2] = [1e-4, 1e-3];
+
 impl Frames {
     /// Adds the pose of `child` in `parent` at a time [ns], or for all times.
     pub fn insert(&mut self, parent: &str, child: &str, time: i64, pose: Pose, is_static: bool) {
@@ -70,6 +73,31 @@ impl Frames {
         for link in self.links.values_mut() {
             link.entries.sort_by_key(|entry| entry.0);
         }
+    }
+
+    /// Returns a remark on each frame whose pose is constant, but is stated differently.
+    pub fn remark_on_changes(&self) -> Vec<String> {
+        let changed = |(child, link): (&String, &Link)| {
+            let (_, last) = link.entries.last().filter(|_| link.is_static)?;
+            let off = |pose: &Pose| {
+                let distance = (pose.translation.vector - last.translation.vector).norm();
+                [distance, pose.rotation.angle_to(&last.rotation)]
+            };
+            let [distance, angle] = (link.entries.iter())
+                .map(|(_, pose)| off(pose))
+                .fold([0.0_f64; 2], |most, off| {
+                    [most[0].max(off[0]), most[1].max(off[1])]
+                });
+            (distance > MOST_CHANGE[0] || angle > MOST_CHANGE[1]).then(|| {
+                format!(
+                    "/tf_static states several poses of {child:?} in {:?}, {:.1} mm and {:.2}° apart: the last one is used for the whole log",
+                    link.parent,
+                    1e3 * distance,
+                    angle.to_degrees()
+                )
+            })
+        };
+        self.links.iter().filter_map(changed).collect()
     }
 
     /// Whether the tree holds the frame.

@@ -1,7 +1,7 @@
-//! Forces that stay the same for long, because their sensor or its driver has stopped.
+//! Forces and poses that stay the same for long, because their sensor or its driver has stopped.
 
 use std::collections::BTreeMap;
-use wisch::geometry::Vector3;
+use wisch::geometry::{Pose, Vector3};
 
 /// Longest time for which a working sensor repeats a force other than zero \[ns\], and zero, if it does so once: a sensor with
 /// a dead band returns zero while it rests.
@@ -13,6 +13,40 @@ const LEAST_REPEATS: usize = 10;
 const LEAST_CHANGES: f64 = 0.8;
 /// Least share of the log that they have \[1\].
 const LEAST_OTHERS: f64 = 0.3;
+/// Longest time for which a pose repeats exactly while the force changes \[ns\], time over which forces are averaged \[ns\],
+/// and least change of these means, as a share of that over the whole log \[1\].
+const LONGEST_STILL: i64 = 1_000_000_000;
+const AVERAGED: i64 = 250_000_000;
+const LEAST_FORCE_CHANGE: f64 = 0.3;
+
+/// Returns the intervals in which the pose repeats exactly although the force changes \[ns\], from the first repetition to the
+/// last: whoever sends the poses has stopped. The pose of a robot at rest may repeat, but then its force stays the same.
+pub(crate) fn find_frozen_poses(poses: &[(i64, Pose)], forces: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
+    let all = force_change(forces);
+    (poses.chunk_by(|a, b| a.1 == b.1))
+        .filter(|run| run.len() > LEAST_REPEATS && run[run.len() - 1].0 - run[0].0 > LONGEST_STILL)
+        .map(|run| [run[1].0, run[run.len() - 1].0])
+        .filter(|[from, to]| {
+            let first = forces.partition_point(|(time, _)| time < from);
+            let last = forces.partition_point(|(time, _)| time <= to);
+            all > 0.0 && force_change(&forces[first..last]) > LEAST_FORCE_CHANGE * all
+        })
+        .collect()
+}
+
+/// Size of the range of the forces, averaged over short times.
+fn force_change(forces: &[(i64, Vector3)]) -> f64 {
+    let means = forces.chunk_by(|a, b| a.0.div_euclid(AVERAGED) == b.0.div_euclid(AVERAGED));
+    let means = means.map(|part| {
+        let sum: Vector3 = part.iter().map(|(_, force)| force).sum();
+        sum / part.len() as f64
+    });
+    let range = means.fold(None, |range: Option<[Vector3; 2]>, mean| match range {
+        None => Some([mean, mean]),
+        Some([low, high]) => Some([low.inf(&mean), high.sup(&mean)]),
+    });
+    range.map_or(0.0, |[low, high]| (high - low).norm())
+}
 
 /// Returns the intervals in which a force repeats for longer than a working sensor repeats it \[ns\], from the first
 /// repetition to the last; none for a log whose forces have no noise.
@@ -109,6 +143,36 @@ mod tests {
             *force = Vector3::zeros();
         }
         assert!(find_frozen(&rests).is_empty(), "a dead band around zero");
+    }
+
+    #[test]
+    fn a_pose_that_repeats_while_the_force_changes_is_frozen() {
+        // Ten seconds at 100 Hz: the pose moves for 4 s, then repeats; the tool presses in every other second.
+        let poses: Vec<(i64, Pose)> = (0..1000)
+            .map(|k: i64| {
+                (
+                    k * 10_000_000,
+                    Pose::translation(k.min(400) as f64 * 1e-3, 0.0, 0.0),
+                )
+            })
+            .collect();
+        let pressing = |until: i64| -> Vec<(i64, Vector3)> {
+            let force = |k: i64| {
+                if k < until && k / 100 % 2 == 1 {
+                    10.0
+                } else {
+                    0.0
+                }
+            };
+            (0..1000)
+                .map(|k| (k * 10_000_000, Vector3::new(0.0, 0.0, force(k))))
+                .collect()
+        };
+        let repeats = vec![[4_010_000_000, 9_990_000_000]];
+        assert_eq!(find_frozen_poses(&poses, &pressing(1000)), repeats);
+        let rests = find_frozen_poses(&poses, &pressing(400));
+        assert!(rests.is_empty(), "a robot that rests in the air: {rests:?}");
+        assert!(find_frozen_poses(&poses[..450], &pressing(1000)).is_empty());
     }
 
     #[test]

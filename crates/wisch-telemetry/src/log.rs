@@ -4,7 +4,7 @@ use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
 use super::correction::Correction;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
-use super::frozen::find_frozen;
+use super::frozen::{find_frozen, find_frozen_poses};
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::plausibility::doubts;
 use super::quantity::QuantityError;
@@ -387,6 +387,7 @@ fn combine(
         .cloned()
         .chain(spikes.map(|found| found.describe(start, force_unit, options.max_gap)))
         .chain(saturated.iter().map(|found| found.describe(force_unit)))
+        .chain(raw.frames.remark_on_changes())
         .chain(correction.remarks)
         .chain(doubts(&samples, options))
         .collect();
@@ -430,9 +431,17 @@ fn leave_out_unusable(
     } else {
         (Vec::new(), Vec::new())
     };
+    let covers = |intervals: &[[i64; 2]], time: i64| {
+        let next = intervals.partition_point(|[_, to]| *to < time);
+        intervals.get(next).is_some_and(|[from, _]| *from <= time)
+    };
+    let frozen_poses = find_frozen_poses(&raw.poses.entries, &raw.wrenches.entries);
     pairs.retain(|(time, ..)| {
-        let next = frozen.partition_point(|[_, to]| to < time);
-        let is_frozen = frozen.get(next).is_some_and(|[from, _]| from <= time);
+        let is_frozen = covers(&frozen, *time);
+        if covers(&frozen_poses, *time) {
+            unusable.frozen_pose += 1;
+            return false;
+        }
         let quality = match raw.quality_at(*time) {
             WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
             WrenchQuality::Ok if saturated.iter().any(|found| found.covers(*time)) => {

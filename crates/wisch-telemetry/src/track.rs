@@ -11,6 +11,9 @@ use wisch::interpret::WrenchQuality;
 use wisch::represent::Observation;
 use wisch::robot::{JointMotion, JointTransform};
 
+/// Number of late entries in a row that may show a clock that was set back.
+const LATE_RUN: usize = 10;
+
 /// Values of one quantity in a log, by time.
 #[derive(Debug, Clone)]
 pub(crate) struct Track<Q> {
@@ -28,6 +31,8 @@ pub(crate) struct Track<Q> {
     latest: Option<i64>,
     /// Number of entries that came after a later one of their part, and their largest delay [ns].
     late: (usize, i64),
+    /// Number of entries at the end that all came after a later one.
+    late_run: usize,
     /// Number of entries dropped because their time equals the previous one.
     pub repeated: usize,
     /// Number of entries dropped because their numbers are not valid.
@@ -187,6 +192,7 @@ impl<Q: Quantity> Track<Q> {
             window: (window * NANOSECONDS_PER_SECOND as f64) as i64,
             latest: None,
             late: (0, 0),
+            late_run: 0,
             repeated: 0,
             skipped: 0,
             first_skipped: None,
@@ -196,6 +202,7 @@ impl<Q: Quantity> Track<Q> {
     /// Begins the next part of the log, whose times may overlap with those of earlier parts.
     pub fn begin_part(&mut self) {
         self.latest = None;
+        self.late_run = 0;
     }
 
     /// Adds an entry; `place` names where the log states it. Invalid numbers are dropped and counted.
@@ -227,11 +234,33 @@ impl<Q: Quantity> Track<Q> {
                 });
             }
             self.late = (self.late.0 + 1, self.late.1.max(lateness));
+            self.late_run += 1;
         } else {
             self.latest = Some(time);
+            self.late_run = 0;
         }
         self.entries.push((time, value));
+        if self.late_run == LATE_RUN && self.repeats_times() {
+            return Err(ReadFault::ClockSetBack {
+                place: place(),
+                time: seconds(self.entries[self.entries.len() - LATE_RUN].0),
+                last: self.latest.map_or(0.0, seconds),
+            });
+        }
         Ok(())
+    }
+
+    /// Whether the last entries, which are all late, have times that earlier entries have with other values: their clock was
+    /// set back. Messages that were only delayed fill a gap.
+    fn repeats_times(&self) -> bool {
+        let (earlier, run) = self.entries.split_at(self.entries.len() - LATE_RUN);
+        let [first, last] = [run[0].0, run[LATE_RUN - 1].0];
+        if !run.is_sorted_by_key(|entry| entry.0) {
+            return false;
+        }
+        let same_times = earlier.iter().rev().take_while(|entry| entry.0 >= first);
+        let others = same_times.filter(|entry| entry.0 <= last && !run.contains(entry));
+        others.take(LATE_RUN / 2).count() == LATE_RUN / 2
     }
 
     /// Returns the track sorted by time, or empty. Of entries with the same time, the first is kept.
@@ -389,6 +418,34 @@ mod tests {
             "/pose covers 0.000 to 1.000 s and /force 2.000 to 3.000 s: they do not overlap within the limit of 0.1 s"
         );
         assert!(pair(&poses([]), &forces([]), 0.1).is_err());
+    }
+
+    #[test]
+    fn a_clock_that_is_set_back_is_no_delay() {
+        let step = NANOSECONDS_PER_SECOND as i64 / 100;
+        let push = |track: &mut Track<Vector3>, time: i64, value: f64| {
+            track.push(time * step, Ok(Vector3::x() * value), || {
+                format!("line {time}")
+            })
+        };
+        let window = 5.0;
+        let mut track = Track::new("/force".to_owned(), window);
+        (0..200).for_each(|k| push(&mut track, k, k as f64).unwrap());
+        let again: Result<(), ReadFault> = (100..200).try_for_each(|k| push(&mut track, k, -1.0));
+        let text = again.unwrap_err().to_string();
+        assert!(
+            text.starts_with("line 109: the clock was set back from 1.99 s to 1 s"),
+            "{text}"
+        );
+        let mut sent_twice = Track::new("/force".to_owned(), window);
+        (0..200).for_each(|k| push(&mut sent_twice, k, k as f64).unwrap());
+        (100..200).for_each(|k| push(&mut sent_twice, k, k as f64).unwrap());
+        let mut delayed = Track::new("/force".to_owned(), window);
+        (0..100)
+            .chain(150..200)
+            .for_each(|k| push(&mut delayed, k, k as f64).unwrap());
+        (100..150).for_each(|k| push(&mut delayed, k, k as f64).unwrap());
+        assert_eq!(delayed.finish().unwrap().entries.len(), 200);
     }
 
     #[test]

@@ -63,6 +63,12 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         ReadFault::Backwards { .. } => {
             "allow longer delays with --reorder-s SECONDS, use a bag's recording times with --time log, or split a file that holds two logs".to_owned()
         }
+        ReadFault::SeveralFrames { .. } => {
+            "record each of them on a topic of its own, or filter the bag by frame_id".to_owned()
+        }
+        ReadFault::ClockSetBack { .. } => {
+            "split the file where the clock was set back, and interpret each part, or use a bag's recording times with --time log".to_owned()
+        }
         ReadFault::Time { .. } => {
             "set the unit with --time-unit-s, such as 1e-9 for nanoseconds".to_owned()
         }

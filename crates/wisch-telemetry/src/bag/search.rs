@@ -34,6 +34,8 @@ pub(super) struct Candidate<Q> {
     pub field: String,
     frame: String,
     child: String,
+    /// Another frame that one of the messages is in.
+    other_frame: Option<String>,
     pub says: Says,
     entries: Vec<Stamped<Q>>,
 }
@@ -153,6 +155,7 @@ impl<Q: Quantity> Search<Q> {
         for (field, locator) in located {
             for found in locator.read(message) {
                 let candidate = self.candidate(channel, field, &found);
+                candidate.compare_frame(found.frame);
                 candidate.entries.push(Stamped {
                     stamp: found.stamp,
                     log_time,
@@ -189,6 +192,7 @@ impl<Q: Quantity> Search<Q> {
                 field: field.to_owned(),
                 frame: found.frame.to_owned(),
                 child: found.child.to_owned(),
+                other_frame: None,
                 says: Says {
                     is_meant: says(ROLE_KEY).as_deref() == Some(self.role),
                     axes: says(AXES_KEY),
@@ -279,6 +283,15 @@ impl<Q: Quantity> Candidate<Q> {
         }
     }
 
+    /// Keeps the first frame of a message that is not that of the messages before it.
+    fn compare_frame(&mut self, frame: &str) {
+        let plain = |frame: &str| frame.trim_start_matches('/').to_owned();
+        let differs = !frame.is_empty() && plain(frame) != plain(&self.frame);
+        if differs && self.other_frame.is_none() {
+            self.other_frame = Some(frame.to_owned());
+        }
+    }
+
     /// Offset of its stamps ahead of the recorder's clock.
     pub fn offset(&self, clock: Clock) -> Offset {
         let stamped = self.entries.iter().filter(|entry| entry.stamp != 0);
@@ -297,6 +310,12 @@ impl<Q: Quantity> Candidate<Q> {
         window: f64,
         remarks: &mut Vec<String>,
     ) -> Result<Track<Q>, ReadFault> {
+        if let Some(other) = self.other_frame {
+            return Err(ReadFault::SeveralFrames {
+                topic: self.topic,
+                frames: [self.frame, other],
+            });
+        }
         let offset = self.offset(clock);
         let mut track = Track::new(self.name(), window);
         track.frame = self.frame;

@@ -291,12 +291,17 @@ impl Table<'_> {
                 self.options.force_unit,
                 "forces in newtons",
             ),
+            (UnitKind::Angle, None, "angles in radians"),
         ]
         .into_iter()
         .filter_map(|(kind, given, read)| is_open(kind, given).then_some(read))
         .collect();
-        (!open.is_empty())
-            .then(|| format!("read as {}: the log states no unit", open.join(" and ")))
+        let (last, others) = open.split_last()?;
+        let open = match others {
+            [] => (*last).to_owned(),
+            _ => format!("{} and {last}", others.join(", ")),
+        };
+        Some(format!("read as {open}: the log states no unit"))
     }
 
     /// Converts angles to radians where no unit is stated.

@@ -45,7 +45,7 @@ fn samples_without_a_usable_wrench_are_left_out_and_counted() {
     let unusable = UnusableWrenches {
         stale: 50,
         saturated: 50,
-        untared: 0,
+        ..UnusableWrenches::default()
     };
     assert_eq!((log.unusable, log.unpaired), (unusable, 0));
     let forces: Vec<f64> = log.samples.iter().map(|sample| sample.force.z).collect();

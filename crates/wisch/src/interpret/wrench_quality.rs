@@ -43,6 +43,8 @@ pub struct UnusableWrenches {
     pub saturated: usize,
     /// Measurements of a sensor that was not tared.
     pub untared: usize,
+    /// Measurements whose pose repeats an earlier one although the force changes.
+    pub frozen_pose: usize,
 }
 
 impl UnusableWrenches {
@@ -71,7 +73,7 @@ impl UnusableWrenches {
 
     /// Number of all these samples.
     pub const fn count(&self) -> usize {
-        self.stale + self.saturated + self.untared
+        self.stale + self.saturated + self.untared + self.frozen_pose
     }
 }
 
@@ -83,8 +85,8 @@ mod tests {
     fn an_approach_with_an_untared_sensor_loses_no_touch() {
         let of = |stale, untared| UnusableWrenches {
             stale,
-            saturated: 0,
             untared,
+            ..UnusableWrenches::default()
         };
         assert_eq!(of(0, 300).lost_share(0.3), 0.0);
         assert!((of(100, 200).lost_share(0.3) - 0.1).abs() < 1e-12);
