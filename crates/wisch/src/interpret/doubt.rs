@@ -232,7 +232,11 @@ pub enum Doubt {
         believed: [f64; 2],
         /// Least number of detections of dirt that the tool never touched.
         untouched: f64,
+        /// Whether no earlier observation showed dirt, so that nothing says that the camera detects it.
+        is_first: bool,
     },
+    /// The first observation shows no dirt, and touch does not decide: the camera may detect none.
+    UnprovenCamera,
     /// Detections of a camera lie beside the surface, and are left out.
     DetectionsBeside {
         /// Number of these detections.
@@ -334,6 +338,7 @@ impl Doubt {
             | Self::ClockOffset { .. }
             | Self::LoadInAir { .. }
             | Self::Incomplete { .. }
+            | Self::UnprovenCamera
             | Self::DetectionsBeside { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,

@@ -89,6 +89,7 @@ impl Interpretation {
         let is_contradicted = (self.doubts.iter()).any(|doubt| {
             matches!(doubt, Doubt::ObservationContradicts { .. })
                 && (doubt.is_decisive() || self.diagnosis == Diagnosis::NoContact)
+                || *doubt == Doubt::UnprovenCamera
         });
         is_felt || (self.observation.is_some() && !is_contradicted)
     }
@@ -115,13 +116,16 @@ impl Interpretation {
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
         let was_felt = self.diagnosis != Diagnosis::NoContact;
         let contradiction = update.find_contradiction(&self.belief, was_felt);
+        let is_proven = self.belief.was_seen || !update.observation.detections.is_empty();
+        let is_unproven = !is_proven && !self.belief.is_certain() && !self.is_conclusive();
         self.belief = self.belief.observe(update);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         if let Some(doubt) = contradiction {
-            // Dirt that the tool never touched does not vanish, so some may have been overlooked.
-            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, untouched, .. }
-                if (*seen as f64) < *untouched);
+            // Dirt that the tool never touched does not vanish, so some may have been overlooked. A camera that has shown no
+            // dirt so far may detect none at all.
+            let is_too_clean = matches!(&doubt, Doubt::ObservationContradicts { seen, left, untouched, is_first, .. }
+                if (*seen as f64) < if *is_first { untouched.max(left[0]) } else { *untouched });
             if doubt.is_decisive() {
                 self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
             } else if is_too_clean {
@@ -130,6 +134,12 @@ impl Interpretation {
                     .or_unknown(UNKNOWN_SHARE, self.by_touch.low);
             }
             self.doubts.push(doubt);
+        }
+        if is_unproven {
+            self.distribution = self
+                .distribution
+                .or_unknown(UNKNOWN_SHARE, self.by_touch.low);
+            self.doubts.push(Doubt::UnprovenCamera);
         }
         self.performance = self.distribution.estimate();
         self.observation = Some(update.observation.clone());

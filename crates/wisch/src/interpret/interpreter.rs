@@ -137,6 +137,7 @@ impl Interpreter {
         self.unusable.stale += unusable.stale;
         self.unusable.saturated += unusable.saturated;
         self.unusable.untared += unusable.untared;
+        self.unusable.frozen_pose += unusable.frozen_pose;
     }
 
     /// Interprets the samples so far: contacts, plane, events and doubts, and where the dirt lies after the log if it

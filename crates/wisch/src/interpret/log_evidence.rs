@@ -46,6 +46,11 @@ const OTHER_STIFFNESS: f64 = 1.2;
 const PRESSING: f64 = 0.5;
 /// Longest time between two samples within which nothing is missed [s].
 const LONGEST_GAP: f64 = 1.0;
+/// Shortest gap [s] of several that together may be long, how much longer it is than the usual time between samples [1], and
+/// their least share of the log [1].
+const SHORT_GAP: f64 = 0.2;
+const UNUSUAL: f64 = 5.0;
+const MANY_GAPS: f64 = 0.1;
 /// Travel during a gap in the air from which the tool may have wiped in it [m].
 const TRAVEL_IN_GAP: f64 = 0.02;
 /// Longest median time between samples that shows contact [s].
@@ -418,12 +423,17 @@ impl LogEvidence<'_> {
 
     /// Returns a doubt if the samples are too far apart in time to show contact.
     fn find_sparseness(&self) -> Option<Doubt> {
+        let period = self.median_period();
+        (period > LONGEST_PERIOD).then_some(Doubt::Sparse { period })
+    }
+
+    /// Median time between two pieces [s].
+    fn median_period(&self) -> f64 {
         let mut periods: Vec<f64> = (self.pieces.windows(2))
             .map(|pair| pair[1].time[0] - pair[0].time[1])
             .collect();
         periods.sort_unstable_by(f64::total_cmp);
-        let period = *periods.get(periods.len() / 2)?;
-        (period > LONGEST_PERIOD).then_some(Doubt::Sparse { period })
+        periods.get(periods.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// Returns a doubt if the bias of the force changes during the log.
@@ -474,14 +484,19 @@ impl LogEvidence<'_> {
         };
         let begins = is_pressing(path.first());
         let ends = is_pressing(path.last());
-        let missing: f64 = (path.windows(2))
-            .filter(|pair| {
-                let way = pair[1].position - pair[0].position;
-                pair.iter().any(|piece| self.is_touching(piece)) || way.norm() > TRAVEL_IN_GAP
-            })
-            .map(|pair| pair[1].time[0] - pair[0].time[1])
-            .filter(|gap| *gap > LONGEST_GAP)
-            .sum();
+        let gaps = (path.windows(2)).filter(|pair| {
+            let way = pair[1].position - pair[0].position;
+            pair.iter().any(|piece| self.is_touching(piece)) || way.norm() > TRAVEL_IN_GAP
+        });
+        let gaps: Vec<f64> = gaps.map(|pair| pair[1].time[0] - pair[0].time[1]).collect();
+        let sum = |least: f64| gaps.iter().filter(|gap| **gap > least).sum::<f64>();
+        let short = sum(SHORT_GAP.max(UNUSUAL * self.median_period()));
+        let lasts = (path.first().zip(path.last())).map_or(0.0, |(a, b)| b.time[1] - a.time[0]);
+        let missing = if short > MANY_GAPS * lasts {
+            short
+        } else {
+            sum(LONGEST_GAP)
+        };
         (begins || ends || missing > 0.0).then_some(Doubt::Incomplete {
             begins,
             ends,

@@ -33,6 +33,8 @@ pub struct Belief {
     pub(super) states: Vec<MemberState>,
     /// Belief about the tool's stiffness after the logs so far; `None` before the first.
     stiffness: Option<StiffnessBelief>,
+    /// Whether a camera has shown dirt, so that it is known to detect it.
+    pub(in crate::interpret) was_seen: bool,
 }
 
 /// Parameters and thresholds of a member.
@@ -50,6 +52,7 @@ impl Belief {
             weights: vec![1.0],
             states: Vec::new(),
             stiffness: None,
+            was_seen: false,
         }
     }
 
@@ -72,6 +75,7 @@ impl Belief {
             weights,
             states: Vec::new(),
             stiffness: None,
+            was_seen: false,
         }
     }
 
@@ -80,6 +84,7 @@ impl Belief {
         members: Vec<(ParticleDistribution, MemberState)>,
         weights: Vec<f64>,
         stiffness: StiffnessBelief,
+        was_seen: bool,
     ) -> Self {
         let (members, states) = members.into_iter().unzip();
         Self {
@@ -87,6 +92,7 @@ impl Belief {
             weights,
             states,
             stiffness: Some(stiffness),
+            was_seen,
         }
     }
 
@@ -108,6 +114,7 @@ impl Belief {
         &self,
         members: Vec<(ParticleDistribution, Option<MemberState>)>,
         weights: Vec<f64>,
+        shows_dirt: bool,
     ) -> Self {
         let (members, states): (Vec<_>, Vec<_>) = members.into_iter().unzip();
         Self {
@@ -118,6 +125,7 @@ impl Belief {
                 .collect::<Option<_>>()
                 .unwrap_or_default(),
             stiffness: self.stiffness,
+            was_seen: self.was_seen || shows_dirt,
         }
     }
 
@@ -176,6 +184,7 @@ impl Belief {
                 .filter_map(|&i| states.get(i).map(|&state| state.clone()))
                 .collect(),
             stiffness: self.stiffness,
+            was_seen: self.was_seen,
         }
     }
 

@@ -87,7 +87,12 @@ impl Replay<'_> {
             );
             (after, state)
         });
-        Belief::continue_with(members.collect(), weights, self.stiffness)
+        Belief::continue_with(
+            members.collect(),
+            weights,
+            self.stiffness,
+            believed.was_seen,
+        )
     }
 
     /// Returns the absolute difference of the mean performance between members that rescale the force and members that

@@ -110,7 +110,8 @@ impl Belief {
             let state = weighted.states.get(member);
             update.update_member(was, state, &believed, is_first, &mut random)
         });
-        weighted.with_observed(members.collect(), weights)
+        let shows_dirt = !update.observation.detections.is_empty();
+        weighted.with_observed(members.collect(), weights, shows_dirt)
     }
 
     /// Whether a log has been replayed.
@@ -289,6 +290,7 @@ impl ObservationUpdate<'_> {
                 };
                 least - FAR * self.count_error(least)
             },
+            is_first: !belief.was_seen,
         })
     }
 

@@ -72,6 +72,9 @@ impl fmt::Display for Doubt {
                 believed,
                 ..
             } => write_contradiction(f, seen, left, believed),
+            Self::UnprovenCamera => f.write_str(
+                "the observation shows no dirt, and no earlier one shows that the camera detects any: it does not decide what touch cannot",
+            ),
             Self::DetectionsBeside {
                 left_out,
                 of,
@@ -432,6 +435,10 @@ fn write_unusable(
         (unusable.stale, "stale"),
         (unusable.saturated, "saturated"),
         (unusable.untared, "untared"),
+        (
+            unusable.frozen_pose,
+            "with a pose that stays exactly the same while the force changes",
+        ),
     ];
     let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
     let kinds: Vec<String> = kinds

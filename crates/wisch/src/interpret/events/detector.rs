@@ -12,6 +12,14 @@ use crate::represent::Surface;
 /// Number of confident pieces from which a log shows its own friction; half a second.
 const LEAST_CONTACTS: usize = 50;
 
+/// Largest interquartile range of a log's friction coefficient over its median at which a coefficient beyond the usual
+/// ones is that of the tool, and how far beyond its upper quartile wiping may go then [1].
+const STEADY_FRICTION: f64 = 0.25;
+const OVER_FRICTION: f64 = 1.2;
+/// Least way over four pieces that has a direction [m], and least cosine between it and the force of friction [1].
+const LEAST_WAY: f64 = 1e-3;
+const ALONG: f64 = 0.8;
+
 /// Position error of a tool relative to the surface's border [m]: grasp and localisation together.
 const BORDER: f64 = 5e-3;
 
@@ -25,8 +33,7 @@ pub(in crate::interpret) struct EventDetector<'a> {
     surface: &'a Surface,
     footprint: &'a Region,
     pub(super) has_plane: bool,
-    /// Friction coefficient of this log: tangential over normal force during wiping [1].
-    pub(super) friction: f64,
+    pub(super) friction: LogFriction,
     /// Largest force that noise alone produces [N].
     pub(super) noise: f64,
     pub(super) config: &'a InterpretConfig,
@@ -66,7 +73,7 @@ impl<'a> EventDetector<'a> {
             surface,
             footprint,
             has_plane: classified.plane.is_some(),
-            friction: friction(path, config),
+            friction: measure_friction(pieces, path, config),
             noise: noise.min(2.0 * config.force_noise_n),
             config,
         }
@@ -200,21 +207,59 @@ impl<'a> EventDetector<'a> {
     }
 }
 
-/// Returns the 90 % quantile of the friction coefficient of confident contacts, limited to that of wiping.
-fn friction(path: &[PathPiece], config: &InterpretConfig) -> f64 {
-    let confident = path.iter().filter(|piece| piece.touch == Touch::Confident);
-    let mut ratios: Vec<f64> = confident
-        .map(|piece| piece.tangential_force / piece.normal_force.abs())
-        .collect();
+/// Friction coefficients of a log: tangential over normal force \[1\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct LogFriction {
+    /// 90 % quantile over the confident contacts, at most `limit`: what wiping shows in this log.
+    pub(super) usual: f64,
+    /// The coefficient that wiping may reach.
+    pub(super) limit: f64,
+}
+
+/// Returns the friction coefficients that a log shows.
+fn measure_friction(
+    pieces: &[MeasuredPiece],
+    path: &[PathPiece],
+    config: &InterpretConfig,
+) -> LogFriction {
+    let ratio = |piece: &PathPiece| piece.tangential_force / piece.normal_force.abs();
+    let is_confident = |piece: &&PathPiece| piece.touch == Touch::Confident;
+    let mut ratios: Vec<f64> = path.iter().filter(is_confident).map(ratio).collect();
     let limit = config.events.friction_limit;
     if ratios.len() < LEAST_CONTACTS {
-        return limit;
+        return LogFriction {
+            usual: limit,
+            limit,
+        };
     }
-    let most = (ratios.len() - 1) * 9 / 10;
-    ratios
-        .select_nth_unstable_by(most, f64::total_cmp)
-        .1
-        .min(limit)
+    ratios.sort_unstable_by(f64::total_cmp);
+    let quantile = |share: usize| ratios[(ratios.len() - 1) * share / 100];
+    let [low, middle, high] = [25, 50, 75].map(quantile);
+    let is_steady = high - low <= STEADY_FRICTION * middle;
+    let limit = if middle > limit && is_steady && drags_forward(pieces, path) {
+        limit.max(OVER_FRICTION * high)
+    } else {
+        limit
+    };
+    LogFriction {
+        usual: quantile(90).min(limit),
+        limit,
+    }
+}
+
+/// Whether the tool's force on the surface points along its motion in most of the confident contacts, as that of
+/// friction does. The force of a hand that pulls the tool along points the other way.
+fn drags_forward(pieces: &[MeasuredPiece], path: &[PathPiece]) -> bool {
+    let (mut forward, mut all) = (0, 0);
+    for i in 2..path.len().saturating_sub(2) {
+        let way = path[i + 2].position.xy() - path[i - 2].position.xy();
+        if path[i].touch == Touch::Confident && way.norm() > LEAST_WAY {
+            all += 1;
+            let force = pieces[i].force.xy();
+            forward += usize::from(force.dot(&way) >= ALONG * force.norm() * way.norm());
+        }
+    }
+    all >= LEAST_CONTACTS && forward * 5 >= all * 4
 }
 
 /// A stretch of pieces that may be an event.

@@ -136,7 +136,7 @@ impl EventDetector<'_> {
     fn excess(&self, i: usize) -> f64 {
         let piece = &self.path[i];
         let pressed = -piece.normal_force;
-        let along = piece.tangential_force - self.friction * pressed.max(0.0);
+        let along = piece.tangential_force - self.friction.usual * pressed.max(0.0);
         let most = along.max(pressed - self.config.nominal_force());
         let compression = self.config.nominal_compression();
         let off = if compression > 0.0 {
@@ -287,8 +287,8 @@ impl EventDetector<'_> {
         let beyond = |friction: f64| piece.tangential_force - friction * press;
         let [begin, end] = events.tangential_margin_n;
         level(
-            beyond(self.friction) > end,
-            beyond(events.friction_limit) > begin,
+            beyond(self.friction.usual) > end,
+            beyond(self.friction.limit) > begin,
         )
     }
 
