@@ -65,7 +65,7 @@ Examples:
   wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
-Exit codes: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. The help of other commands states theirs."
+Exit codes of run: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. The help of a command states its exit codes."
 )]
 pub struct Cli {
     /// The command.
@@ -140,7 +140,7 @@ Examples:
   wisch run board.toml --on ur5e.toml --speed 0.25      on a ROS 2 robot; asks before each round
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
-Writes report.html, plan.json and rounds.json; telemetry/: a bag per round (round-1.mcap, for Foxglove, \
+Writes report.html, plan.json and rounds.json; telemetry/: a bag for each round (round-1.mcap, for Foxglove, \
 Rerun and ROS 2); trajectories/: joint trajectories and the tool's path; particles/: the estimate and \
 the simulator's ground truth; figures/.
 
@@ -308,7 +308,7 @@ Examples:
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
   wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
     Check(CheckArgs),
-    /// Set a robot up, check its description, or map the poses that it can reach
+    /// Set up, check and map a robot; test and simulate a robot that speaks ROS 2
     #[command(subcommand, arg_required_else_help = true)]
     Robot(RobotCommand),
     /// Check whether a mesh is usable as a curved surface, or divide it into patches
@@ -415,7 +415,7 @@ pub struct LoopArgs {
     /// Resume a killed run from its last completed round
     #[arg(long)]
     pub resume: bool,
-    /// Execute in real time instead of as fast as possible
+    /// Simulate in real time instead of as fast as possible
     #[arg(long)]
     pub realtime: bool,
     /// Command that starts an executor in place of the built-in simulator (see docs/executor-protocol.md)
@@ -516,7 +516,7 @@ pub struct ReportArgs {
     #[command(flatten)]
     pub reading: LogArgs,
     /// Print one JSON object instead of the name of the file
-    #[arg(long)]
+    #[arg(long, help_heading = "Results")]
     pub json: bool,
 }
 
@@ -540,6 +540,7 @@ pub struct RobotArgs {
 
 /// Options of the results.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Results")]
 pub struct ResultArgs {
     /// Output folder; only another run may replace the folder of a run [default: out/TASK for a run with a robot,
     /// else out/TASK-planned, -predicted or -followed]
@@ -645,7 +646,7 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub robot: RobotArgs,
     /// Print one JSON object instead of the summary
-    #[arg(long)]
+    #[arg(long, help_heading = "Results")]
     pub json: bool,
 }
 

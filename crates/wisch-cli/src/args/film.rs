@@ -28,7 +28,7 @@ pub struct FilmArgs {
     /// Program of the browser [default: Chromium, Chrome or Edge in PATH]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::ExecutablePath)]
     pub browser: Option<PathBuf>,
-    /// Print one JSON object instead of a line
+    /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
 }

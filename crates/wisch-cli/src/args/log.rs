@@ -14,17 +14,17 @@ pub struct InterpretArgs {
     #[command(flatten)]
     pub source: LoggedArgs,
     /// Output folder; the folder of an earlier call is replaced [default: out/TASK-interpreted]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    #[arg(long, help_heading = "Results", value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
     /// Also replace an output folder that holds a run's measurements
-    #[arg(long)]
+    #[arg(long, help_heading = "Results")]
     pub force: bool,
     /// Observation of the dirt after the log: a list of dirt locations (.csv), a bag with /wisch/dirt_after such as the log
     /// itself, or a photo by the task's camera
     #[arg(long, alias = "seen", value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub observation: Option<PathBuf>,
     /// Print one JSON object instead of the summary
-    #[arg(long)]
+    #[arg(long, help_heading = "Results")]
     pub json: bool,
 }
 
@@ -68,9 +68,9 @@ pub struct LogArgs {
     /// Topic of the force, and after a colon the field of its messages [default: the only wrench topic]
     #[arg(long, value_name = "TOPIC[:FIELD]")]
     pub wrench_topic: Option<String>,
-    /// Names of a table's columns that are not recognised automatically. OURS is t, x, y, z, fx, fy, fz, or for the
-    /// orientation qx, qy, qz, qw or rx, ry, rz or roll, pitch, yaw or a, b, c or m0 to m15
-    #[arg(long, value_name = "OURS=THEIRS", value_delimiter = ',', value_parser = setting)]
+    /// Columns of a table that are not recognised automatically. NAME is t, x, y, z, fx, fy, fz, or for the orientation
+    /// qx, qy, qz, qw or rx, ry, rz or roll, pitch, yaw or a, b, c or m0 to m15
+    #[arg(long, value_name = "NAME=COLUMN", value_delimiter = ',', value_parser = setting)]
     pub csv_columns: Vec<(String, String)>,
     /// Frame in whose axes the force is expressed: the task's world, the reference frame of the logged poses (log),
     /// the frame whose pose is logged (tool), or the surface [default: as stated in the log, or tool]
@@ -89,7 +89,7 @@ pub struct LogArgs {
     /// at each pose
     #[arg(long, value_name = "KG", allow_negative_numbers = true, value_parser = not_negative)]
     pub payload_mass: Option<f64>,
-    /// Centre of mass of the payload in the logged frame [m]; only torques depend on it, and they are not read
+    /// Centre of mass of the payload in the logged frame [m]; it affects only torques, which wisch does not read
     /// [default: 0 0 0]
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, value_parser = finite, requires = "payload_mass")]
     pub payload_centre: Vec<f64>,
@@ -102,7 +102,7 @@ pub struct LogArgs {
     /// Times of a bag's messages: the stamps in their headers, or the times at which they were recorded
     #[arg(long, value_name = "CLOCK", default_value = Clock::Header.as_str(), value_parser = clock_parser())]
     pub time: Clock,
-    /// Longest delay of messages or lines that are still sorted by time [s]
+    /// Longest delay of a message or line against the order of times; a longer delay is an error [s]
     #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = unit)]
     pub reorder_s: f64,
     /// Orientation of the force sensor in the frame whose pose is logged: roll, pitch, yaw [rad]

@@ -63,7 +63,7 @@ Examples:
   wisch memory health --json | jq '.groups[] | select(.needs_attention) | .surface'
 
 Runs of the same robot, tool, surface, dirt, press force and source are one series. \
-An answer needs seven of them, and where episodes lack a value, it says so.
+A finding needs seven of them. The table states which values the episodes lack.
 
 Exit codes: 0 nothing is found that needs attention, 1 something needs attention, 2 an error.")]
     Health(MemoryHealthArgs),
@@ -156,13 +156,13 @@ pub struct MemoryHealthArgs {
     /// The memory.
     #[command(flatten)]
     pub memory: MemoryArgs,
-    /// Name of a robot, whose runs alone are assessed
+    /// Assess only the runs of this robot
     #[arg(long, value_name = "NAME")]
     pub robot: Option<String>,
-    /// Name of a tool, whose runs alone are assessed
+    /// Assess only the runs with this tool
     #[arg(long, value_name = "NAME")]
     pub tool: Option<String>,
-    /// Name of a surface, whose runs alone are assessed
+    /// Assess only the runs on this surface
     #[arg(long, value_name = "NAME")]
     pub surface: Option<String>,
     /// Print one JSON object instead of the table

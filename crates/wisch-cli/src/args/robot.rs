@@ -25,7 +25,7 @@ Examples:
   wisch robot map my_robot.urdf --group manipulator --out my_robot.reach
 
 wisch uses the map for base placement. It finds a map beside the URDF with the same name and the ending \
-.reach; commands take another file by --map. A map is valid for one robot: rebuild it after changing the \
+.reach; the option --map of other commands names another file. A map is valid for one robot: rebuild it after changing the \
 robot.")]
     Map(RobotMapArgs),
     /// Write the SRDF of a robot that has only a URDF: groups, a ready posture, and pairs of links that need no collision check
@@ -52,7 +52,7 @@ Examples:
 The robot file states topics, services and limits; docs/ros2.md describes it. Needs the companion program \
 wisch-ros2, as do push-test and fake.
 
-Exit codes: 0 nothing forbids a motion, 1 something forbids one, 2 an error, such as a robot that is not found.")]
+Exit codes: 0 nothing forbids a motion, 1 something forbids a motion, 2 an error, such as a robot that is not found.")]
     Doctor(RobotDoctorArgs),
     /// Test sign and axes of a ROS 2 robot's force by hand; writes ROBOT.commissioned.toml, which `wisch run --on` requires
     #[command(after_help = "\
@@ -68,8 +68,8 @@ Exit codes: 0 the file is written, 2 an error; then nothing is written.")]
 Examples:
   wisch robot fake arm-board --as arm7.toml
 
-It runs in real time until it reads the command quit from its standard input. Other commands there cause \
-faults: wisch-ros2 fake --help lists them.")]
+The simulation runs in real time until it reads the command quit from its standard input. Other commands push the \
+tool or cause faults: wisch-ros2 fake --help lists them.")]
     Fake(RobotFakeArgs),
 }
 
@@ -98,7 +98,7 @@ pub struct RobotFakeArgs {
     /// Task file, or name of a shipped scenario
     #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: PathBuf,
-    /// The robot file
+    /// Robot file of the robot to simulate
     #[arg(long = "as", value_name = "ROBOT.toml", value_hint = ValueHint::FilePath)]
     pub robot: PathBuf,
     /// Override a value of the task file; repeatable

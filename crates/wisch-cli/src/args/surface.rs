@@ -17,7 +17,7 @@ Examples:
   wisch surface check door.ply --json | jq .chart.stretch
   wisch surface check terrain.asc                         a height field over x and y
 
-wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers; `wisch surface split` divides another one.
+wisch merges vertices, orients the triangles, smooths the surface to the scale of the tool, and unrolls it into a chart with as little distortion as possible. The chart is usable if at most 1 % of its area is stretched by more than the limit, no triangle lies upside down, and the chart does not cover itself. `surface.mesh` of a task file takes a mesh that one chart covers; `wisch surface split` divides other meshes.
 
 Exit codes: 0 the mesh is usable, 1 it is not usable as it is, 2 an error.")]
     Check(SurfaceCheckArgs),
@@ -29,7 +29,7 @@ Examples:
   wisch surface split tub.stl --scale 0.001 --towards 0,0,1 --out tub-patches
   wisch surface split wok.ply --json | jq '.patches[].area_m2'
 
-wisch divides the surface into few patches whose charts stay within the limit of the stretch, and numbers them so that each is near the one before. The same mesh and options give the same patches. `surface.mesh.patch` of a task file takes one of them.
+wisch divides the surface into few patches whose charts stay within --stretch-limit, and numbers them so that each patch is near the previous one. The same mesh and options give the same patches. `surface.mesh.patch` of a task file takes one of them.
 
 Exit codes: 0 the mesh is divided, 1 it is not usable as it is, 2 an error.")]
     Split(SurfaceSplitArgs),
@@ -91,8 +91,8 @@ pub struct SurfaceMeshArgs {
     /// Direction from the surface to the tool; required for a closed mesh [default: the side that most of the area faces in the file]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub towards: Option<Vector3>,
-    /// Leave out triangles whose normals are farther from --towards than this angle [rad] [default: 1.2 for a closed
-    /// mesh, else all are taken]
+    /// Leave out triangles whose normals deviate from --towards by more than this angle [rad] [default: 1.2 for a closed
+    /// mesh, else no limit]
     #[arg(long, value_name = "RADIANS", requires = "towards")]
     pub largest_lean: Option<f64>,
     /// Largest stretch of lengths on 99 % of the area [1]
