@@ -153,7 +153,7 @@ def main():
     print(f"| height over the surface while wiping [mm] | {row[0]} | {row[1]} |")
 
     between = rapier["world_from_tool"] - mujoco["world_from_tool"]
-    print("\n| difference between the two | median | 95 % | most |\n|---|---|---|---|")
+    print("\n| difference between the two engines | median | 95th percentile | largest |\n|---|---|---|---|")
     for name, mask in (("while wiping", wipes), ("in free motion", free)):
         far = 1e3 * np.linalg.norm(between[mask], axis=1)
         print(f"| tool path {name} [mm] | {np.median(far):.2f} | {np.percentile(far, 95):.2f} | {far.max():.2f} |")

@@ -100,7 +100,7 @@ fn check_and_plan_state_which_share_of_a_rigid_tool_touches() {
     let found = text(&done.stdout);
     for part in [
         "% of the tool touches the bend, depending on its yaw",
-        "if 0.1 mm of compression are right",
+        "for a compression of 0.1 mm",
         "a tool square to the bend and at most 0.024 m long across it would touch everywhere",
     ] {
         assert!(found.contains(part), "{found}{}", text(&done.stderr));

@@ -22,7 +22,7 @@ fn a_force_too_weak_for_the_dirt_leaves_the_goal_unknown() {
     let (code, summary, remarks) = predict("3", &[]);
     assert_eq!(code, Some(1), "{summary}");
     assert!(summary.contains("unknown, see reaction"), "{summary}");
-    let reaction = "by the interaction's likelihood, 26.9 % of the particles react";
+    let reaction = "by the law of the interaction, 26.9 % of the particles react";
     assert!(summary.contains(reaction), "{summary}");
     assert!(
         remarks.contains("press_force_n is 3 N, and the knowledge base has 10 N"),

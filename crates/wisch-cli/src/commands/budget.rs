@@ -1,6 +1,7 @@
 //! `--budget`: the number of plans that a search tries, also computed from a time.
 
 use super::prepare::{self, stage_failure};
+use super::words::counted;
 use crate::args::{Budget, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -42,8 +43,9 @@ pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskAr
                 Pace::measured(&prepared, seconds).map_err(|error| stage_failure(&args, error))?;
             let evaluations = pace.affordable(seconds);
             remark(&format!(
-                "in {seconds} s this machine tries about {evaluations} plans after {:.1} s for the initial plans; \
+                "in {seconds} s this machine tries about {} after {:.1} s for the initial plans; \
                  --budget {evaluations} reproduces the plan",
+                counted(evaluations as usize, "plan"),
                 pace.begun
             ));
             evaluations

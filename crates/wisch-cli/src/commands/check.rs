@@ -222,7 +222,7 @@ struct FreeArea {
 impl FreeArea {
     fn of(task: &Task, progress: &Progress) -> Result<Self, wisch::plan::PlanError> {
         let radius = task.tool.collision_radius();
-        progress.say("looking for free space");
+        progress.say("computing the free area");
         let scene: Vec<_> = task.obstacles_in_surface().collect();
         let raster = raster(task);
         let share = |count: usize| count as f64 / raster.len().max(1) as f64;
@@ -232,7 +232,7 @@ impl FreeArea {
         for (i, (object, mesh)) in task.obstacles().zip(&scene).enumerate() {
             if i % OBSTACLES_PER_UPDATE == 0 {
                 let count = counted(scene.len(), "obstacle");
-                progress.say(format!("looking for free space beside {count} ({i} done)"));
+                progress.say(format!("computing the free area beside {count} ({i} done)"));
             }
             let alone = FreeSpace::new(&task.surface, [mesh], radius)?;
             let near = points_near(&raster, mesh, radius);
@@ -319,10 +319,15 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         ),
     ));
     lines.push(("done when", destination(plan)));
+    let dirt = if task.action.treats() {
+        "points"
+    } else {
+        "particles"
+    };
     lines.push((
         "plan",
         format!(
-            "{}: {}, {}, {:.2} m in contact; {} of the particles are out of reach",
+            "{}: {}, {}, {:.2} m in contact; {} of the {dirt} are out of reach",
             prepared.run.plan.strategy,
             counted(plan.graph.nodes.len(), "node"),
             counted(plan.strokes.len(), "stroke"),
@@ -332,11 +337,6 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
     ));
     let performance = prediction.performance;
     let abandons = robot.as_ref().is_some_and(|robot| robot.abandons);
-    let dirt = if task.action.treats() {
-        "points"
-    } else {
-        "particles"
-    };
     let share = |count: usize| percent(count as f64 / performance.initial.max(1) as f64);
     lines.push((
         "predicted",
@@ -371,7 +371,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
 fn prospect(prepared: &LoadedTask, prediction: &Prediction, abandons: bool) -> String {
     let target = prepared.run.target;
     let what = if abandons {
-        "what the robot follows"
+        "the followed part of this plan"
     } else {
         "this plan"
     };
@@ -434,7 +434,10 @@ fn surface(task: &Task) -> String {
     let edges = match task.surface.skim_edges.len() {
         0 => "no skim edge".to_owned(),
         1 => format!("skim edge {}", task.surface.skim_edges[0]),
-        _ => format!("skim edges {:?}", task.surface.skim_edges),
+        _ => {
+            let edges = task.surface.skim_edges.iter().map(ToString::to_string);
+            format!("skim edges {}", edges.collect::<Vec<_>>().join(", "))
+        }
     };
     format!(
         "{}, {size}{:.3} m2{shape}, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",

@@ -8,8 +8,8 @@ use wisch_io::CandidateSummary;
 
 /// The definition of a plan's score, for people.
 const SCORE: &str = "score = share of the dirt that reaches the goal, averaged over random draws of the belief, \
-                     minus three times the lost share, minus what heaps near an edge put at risk, minus costs of \
-                     remaining dirt by its distance, of path length and time";
+                     minus three times the lost share, minus a penalty for heaps near an edge, minus costs of \
+                     remaining dirt by its distance, of path length and of time";
 
 /// Returns a summary of every evaluated candidate and marks the chosen plan.
 pub(super) fn candidates(

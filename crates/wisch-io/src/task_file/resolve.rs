@@ -59,13 +59,18 @@ impl TaskFile {
         let interaction = (knowledge.interaction(tool, medium, &surface.name)).map_err(unknown)?;
         if !interaction.actions.contains(&action) {
             let known: Vec<_> = interaction.actions.iter().map(|a| a.as_str()).collect();
+            let known = match &known[..] {
+                [others @ .., last] if !others.is_empty() => {
+                    format!("{} and {last}", others.join(", "))
+                }
+                one => one.concat(),
+            };
             return Err(TaskError::Inconsistent {
                 at: tool_at.clone(),
                 key: "tool".to_owned(),
                 problem: format!(
                     "{tool} cannot {action} {medium} on {} according to the knowledge base, only {}; choose another tool or action, or set interaction.actions",
-                    surface.name,
-                    known.join(" and ")
+                    surface.name, known
                 ),
             });
         }

@@ -151,7 +151,7 @@ pub enum Obstruction {
         rotation_error: f64,
     },
     /// A joint has reached its limit.
-    #[error("joint {joint:?} is at its limit of {} to {} {unit}", limits.lower, limits.upper)]
+    #[error("joint {joint:?} is at a limit of its range, {:.4} to {:.4} {unit}", limits.lower, limits.upper)]
     JointLimit {
         /// Name of the joint.
         joint: String,

@@ -113,7 +113,7 @@ impl fmt::Display for BendContact {
         }
         write!(
             f,
-            "; pressure {weakest:.2} to {strongest:.2} of the nominal one, if {compression:.1} mm of compression are right"
+            "; pressure {weakest:.2} to {strongest:.2} of the nominal one, for a compression of {compression:.1} mm"
         )?;
         if least < 100.0 {
             write!(
@@ -381,7 +381,7 @@ mod tests {
         };
         assert_eq!(
             contact.to_string(),
-            "39 to 55 % of the tool touches the bend, depending on its yaw; pressure 0.00 to 3.85 of the nominal one, if 0.1 mm of compression are right; a tool square to the bend and at most 0.024 m long across it would touch everywhere"
+            "39 to 55 % of the tool touches the bend, depending on its yaw; pressure 0.00 to 3.85 of the nominal one, for a compression of 0.1 mm; a tool square to the bend and at most 0.024 m long across it would touch everywhere"
         );
         let whole = BendContact {
             touched_share: [1.0; 2],
@@ -391,7 +391,7 @@ mod tests {
         };
         assert_eq!(
             whole.to_string(),
-            "the whole tool touches the bend at every yaw; pressure 0.83 to 1.08 of the nominal one, if 10.0 mm of compression are right"
+            "the whole tool touches the bend at every yaw; pressure 0.83 to 1.08 of the nominal one, for a compression of 10.0 mm"
         );
     }
 }

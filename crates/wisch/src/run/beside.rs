@@ -12,7 +12,7 @@ const AT_EDGE: f64 = 0.03;
 const ALL_AT_EDGE: f64 = 0.01;
 /// Largest usual error of a detection, in standard deviations [1].
 const DEVIATIONS: f64 = 5.0;
-/// Distance from which most detections show a wrong unit or frame, over the size of the surface [1].
+/// Distance from which most detections show a wrong unit or frame, over the diagonal of the surface [1].
 const FAR_OFF: f64 = 10.0;
 
 /// Returns an observation without the detections beside the surface, and a remark on them if there are any. `error`:
@@ -20,8 +20,8 @@ const FAR_OFF: f64 = 10.0;
 /// most of the dirt is on the surface.
 ///
 /// # Errors
-/// If most detections of a first observation are beside the surface, or most of a later one are farther from it than it
-/// is wide: their unit or frame is wrong.
+/// If all detections of a first observation are beside the surface, or most of any observation are farther from it than
+/// ten times its diagonal: their unit or frame is wrong.
 pub(super) fn keep_on_surface(
     mut observation: Observation,
     surface: &Surface,

@@ -194,8 +194,8 @@ fn describe_contact(checked: &CheckedMesh, sheet: &Sheet, measures: &Measures) -
     let [x, y] = checked.args.tool_size;
     let needed = &measures.needed_compression;
     format!(
-        "{x:.3} x {y:.3} m with {:.1} mm of compression touches with its whole footprint on {} of {}, turned as is best; \
-         {:.1} mm are needed at {}",
+        "{x:.3} x {y:.3} m with {:.1} mm of compression touches with its whole footprint on {} of {}, at the better of two yaws; \
+         it needs at most {:.1} mm, at {}",
         1e3 * checked.args.compression_depth_m,
         percent(measures.touched_share),
         touched_area(sheet, checked.args.compression_depth_m),

@@ -56,7 +56,7 @@ impl<'a> MountedTool<'a> {
         mount: &'a PlacedTool,
     ) -> Result<Self, FollowError> {
         let tool = rename_if_link(robot, &task.tool.name);
-        let core = rename_if_link(robot, &format!("core of {}", task.tool.name));
+        let core = rename_if_link(robot, &format!("{} without its rim", task.tool.name));
         let mesh = &task.tool.mesh;
         let (tip, tip_from_tool) = (mount.tip, mount.tip_from_tool);
         let bare = CollisionModel::new(robot, srdf)?;

@@ -362,7 +362,7 @@ impl Interaction {
 pub fn describe_weak_reaction(probability: f64, target: f64) -> Option<String> {
     (probability < WEAK_REACTION.max(target)).then(|| {
         format!(
-            "by the interaction's likelihood, {:.1} % of the particles react when the tool first passes; the prediction assumes that all do",
+            "by the law of the interaction, {:.1} % of the particles react when the tool first passes; the prediction assumes that all do",
             100.0 * probability
         )
     })
