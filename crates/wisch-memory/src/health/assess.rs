@@ -276,7 +276,7 @@ impl<'a> ChannelSeries<'a> {
             HealthChannel::ContactForce => group.press_force_n.map_or([None, None], |force| {
                 let most = EventConfig::default().overload[0];
                 [
-                    at(LEAST_FORCE * force, "half of the asked force"),
+                    at(LEAST_FORCE * force, "half of the press force"),
                     at(most * force, "an overload"),
                 ]
             }),
@@ -296,8 +296,9 @@ impl<'a> ChannelSeries<'a> {
             ],
             HealthChannel::Stiffness => {
                 let first = self.line.as_ref().map(|line| line.ends[0].exp());
-                let half =
-                    first.and_then(|first| at(0.5 * first, "half of it since the last change"));
+                let half = first.and_then(|first| {
+                    at(0.5 * first, "half of the stiffness after the last change")
+                });
                 [half, None]
             }
             HealthChannel::Performance => [self.least_performance(), None],
@@ -467,7 +468,7 @@ fn advise(channel: HealthChannel, by: f64, cause: Option<DriftCause>) -> &'stati
                 "relocalise the surface; the cause is not determined for so small a change or so few runs"
             }
         },
-        HealthChannel::Tilt => "relocalise the surface: it leans against the pose in the task",
+        HealthChannel::Tilt => "relocalise the surface: it is tilted relative to the task's pose",
         HealthChannel::ContactForce => {
             "tare the force sensor and check it with a known weight; then relocalise the surface"
         }
