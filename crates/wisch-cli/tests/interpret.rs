@@ -327,7 +327,7 @@ fn what_is_odd_about_a_log_is_said() {
         assert!(words.contains(part), "{part} in {words}");
     }
     assert!(!words.contains("--wrench-sign"), "{words}");
-    assert!(words.contains("the tool was never on or near"), "{words}");
+    assert!(words.contains("the log shows no contact"), "{words}");
     let (_, record) = interpreted(path, "log.mcap", &["--set", elsewhere]);
     assert!(record["contact_share"].is_null(), "{record}");
     let (_, record) = interpreted(path, "log.mcap", &["--set", "name='table'"]);

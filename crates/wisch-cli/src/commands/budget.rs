@@ -42,12 +42,19 @@ pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskAr
             let pace =
                 Pace::measured(&prepared, seconds).map_err(|error| stage_failure(&args, error))?;
             let evaluations = pace.affordable(seconds);
-            remark(&format!(
-                "in {seconds} s this machine tries about {} after {:.1} s for the initial plans; \
-                 --budget {evaluations} reproduces the plan",
-                counted(evaluations as usize, "plan"),
-                pace.begun
-            ));
+            let begun = pace.begun;
+            remark(&if begun < seconds {
+                format!(
+                    "in {seconds} s this machine tries about {} after {begun:.1} s for the initial plans; \
+                     --budget {evaluations} reproduces the plan",
+                    counted(evaluations as usize, "plan"),
+                )
+            } else {
+                format!(
+                    "--budget {seconds}s is too short on this machine: the initial plans alone take {begun:.1} s; \
+                     --budget {evaluations} reproduces the plan"
+                )
+            });
             evaluations
         }
     };

@@ -338,13 +338,21 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
     let performance = prediction.performance;
     let abandons = robot.as_ref().is_some_and(|robot| robot.abandons);
     let share = |count: usize| percent(count as f64 / performance.initial.max(1) as f64);
+    let (verb, lost) = if prepared.task.action.treats() {
+        ("meet", String::new())
+    } else {
+        ("reach", format!(", {} are lost", share(performance.lost)))
+    };
     lines.push((
         "predicted",
         format!(
-            "{} of the {dirt} reach the goal{}, {} are lost; score {:.2} (minimum for execution: {:.2})",
+            "{} of the {dirt} {verb} the goal{}{lost}; score {:.2} (minimum for execution: {:.2})",
             percent(performance.ratio()),
-            if abandons { " with the strokes that the robot follows" } else { "" },
-            share(performance.lost),
+            if abandons {
+                " with the strokes that the robot follows"
+            } else {
+                ""
+            },
             prediction.score(),
             prepared.run.min_score
         ),

@@ -437,7 +437,8 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
                     "in contact for {} of the time on or near the surface",
                     percent(share)
                 ),
-                None => "unknown: the tool was never on or near the surface".to_owned(),
+                None => "unknown: the log shows no contact, or the tool was never near the surface"
+                    .to_owned(),
             },
         ),
         ("surface", surface_in_words(record)),

@@ -5,7 +5,7 @@ use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
 use wisch::recover::{Verdict, assess_goal};
-use wisch::represent::{ParticleDistribution, Treatment, describe_weak_reaction};
+use wisch::represent::{Action, ParticleDistribution, Treatment, describe_weak_reaction};
 use wisch_io::{
     BendContactRecord, FollowingSummary, LoopSummary, PredictionSummary, SUMMARY_SCHEMA, Summary,
     TreatmentSummary,
@@ -202,7 +202,9 @@ pub(super) fn in_words(
             None => lines.push(("lost over an edge", percent(prediction.lost_share))),
         }
     } else {
-        lines.push(("particles", summary.particles.to_string()));
+        let treats = summary.action.parse().is_ok_and(Action::treats);
+        let what = if treats { "points" } else { "particles" };
+        lines.push((what, summary.particles.to_string()));
     }
     lines.extend(reach_in_words(summary));
     lines.push((

@@ -125,7 +125,10 @@ impl Urdf {
             return Err(too_large("collision shapes", shapes, MAX_SHAPES));
         }
         if urdf.links.is_empty() {
-            return Err(reader.fault(root, "there is no <link>".to_owned()));
+            return Err(reader.fault(
+                root,
+                "there is no <link>: this is no URDF of a robot, but perhaps its SRDF".to_owned(),
+            ));
         }
         let deviations = reader.findings.borrow().len();
         if deviations > MAX_DEVIATIONS {

@@ -145,6 +145,9 @@ pub enum Doubt {
         /// Difference of the performance between the two explanations \[1\]: the tool really pressed with this force, or
         /// the force is measured on another scale.
         matters: f64,
+        /// Distance of the surface from where it is believed to be, under the first and the second explanation \[m\], if they
+        /// differ; the smaller one is taken.
+        offsets: Option<[f64; 2]>,
     },
     /// The heights of the contacts fit a tool of another stiffness than the declared one.
     StiffnessDiffers {
@@ -306,6 +309,7 @@ impl Doubt {
                 force,
                 declared,
                 matters,
+                ..
             } => *matters > MOST_BY_SCALE || !PLAUSIBLE_FORCE.contains(&(force / declared)),
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
@@ -398,6 +402,7 @@ mod tests {
             force: 1.0,
             declared: 10.0,
             matters: 0.5,
+            offsets: None,
         };
         for (doubt, key) in [
             (lean, "world_from_tool"),

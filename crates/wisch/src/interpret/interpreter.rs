@@ -268,10 +268,15 @@ impl Interpreter {
             return by_scale;
         }
         let by_press = self.level_by(reading, reference, OtherForce::Press);
-        if by_press.offset(&self.surface) < by_scale.offset(&self.surface) {
+        let offsets = [&by_press, &by_scale].map(|leveled| leveled.offset(&self.surface));
+        let nearer = if offsets[0] < offsets[1] {
             by_press
         } else {
             by_scale
+        };
+        LeveledLog {
+            offsets: Some(offsets),
+            ..nearer
         }
     }
 
@@ -295,6 +300,7 @@ impl Interpreter {
             found_stiffness,
             levels,
             classified,
+            offsets: None,
         }
     }
 
@@ -324,6 +330,7 @@ impl Interpreter {
             found_stiffness,
             levels,
             classified,
+            offsets,
         } = self.level(&reading, reference);
         let pieces = &pieces;
         let classifier = self.classifier(&config, reference, levels);
@@ -354,6 +361,7 @@ impl Interpreter {
             levels,
             steep,
             found_stiffness,
+            offsets,
             own_tilt: self.own_tilt,
             pieces,
             reading: &reading,
@@ -586,6 +594,9 @@ struct LeveledLog {
     found_stiffness: Option<ToolStiffness>,
     levels: Option<ContactLevels>,
     classified: ClassifiedPath,
+    /// Distances of the surface from where it is believed to be, if the tool pressed with the force of the log, and if this
+    /// force has a wrong scale \[m\]; `None` for the declared force.
+    offsets: Option<[f64; 2]>,
 }
 
 impl LeveledLog {

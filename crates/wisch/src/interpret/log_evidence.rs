@@ -81,6 +81,8 @@ pub(super) struct LogEvidence<'a> {
     pub(super) steep: Option<f64>,
     /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
     pub(super) found_stiffness: Option<ToolStiffness>,
+    /// Distances of the surface from where it is believed to be, under both causes of another force than the declared one [m].
+    pub(super) offsets: Option<[f64; 2]>,
     pub(super) surface: &'a Surface,
     /// Largest angle by which the tool may tilt by design [rad].
     pub(super) own_tilt: f64,
@@ -405,6 +407,7 @@ impl LogEvidence<'_> {
                 force,
                 declared,
                 matters: 0.0,
+                offsets: self.offsets,
             });
         let offset = reading.clock_offset;
         let clocks = (offset != 0.0).then_some(Doubt::ClockOffset { offset });

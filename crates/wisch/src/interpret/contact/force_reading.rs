@@ -245,7 +245,12 @@ impl ForceReading {
         let as_declared = near.iter().filter(|force| (low..=high).contains(force));
         let least_count = LEAST_AS_DECLARED * near.len() as f64;
         let is_as_declared = as_declared.count() as f64 >= least_count;
-        let pressed = mode(pressing(&contact.on));
+        // A force that varies about the declared one has its most frequent values at its ends.
+        let pressed = if is_as_declared && !near.is_empty() {
+            Some(median(near.iter().map(|force| (*force, 1.0)).collect()))
+        } else {
+            mode(pressing(&contact.on))
+        };
         reading.is_as_declared = is_as_declared;
         reading.pressed = pressed;
         reading
@@ -448,10 +453,6 @@ impl Scene<'_> {
         on: Vec<usize>,
         free: Vec<usize>,
     ) -> Option<SlidingContact> {
-        let reach = SLIDING_DISTANCE + self.config.nominal_compression();
-        let near: Vec<usize> = (0..self.pieces.len())
-            .filter(|&i| self.slides[i] && distances[i].abs() <= reach)
-            .collect();
         if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
             return None;
         }
@@ -469,6 +470,12 @@ impl Scene<'_> {
         if size < (share * self.config.nominal_force()).max(newtons) {
             return None;
         }
+        // A tool that presses with another force elsewhere is compressed by another distance.
+        let ratio = (size / self.config.nominal_force()).max(1.0);
+        let reach = SLIDING_DISTANCE + ratio * self.config.nominal_compression();
+        let near: Vec<usize> = (0..self.pieces.len())
+            .filter(|&i| self.slides[i] && distances[i].abs() <= reach)
+            .collect();
         let along = step / size;
         let pressing: Vec<(f64, f64)> = (on.iter().zip(&forces))
             .map(|(&i, force)| (force.dot(&along), f64::from(pieces[i].samples)))

@@ -39,7 +39,11 @@ impl fmt::Display for Doubt {
                 force,
                 declared,
                 matters,
-            } => write_pressed_otherwise(f, force, declared, matters),
+                offsets,
+            } => {
+                write_pressed_otherwise(f, force, declared, matters)?;
+                write_offsets(f, offsets)
+            }
             Self::StiffnessDiffers { found, declared } => write_stiffness(f, found, declared),
             Self::WrenchSignInverted => f.write_str(
                 "the force of contact points into the surface: read with the opposite sign (--wrench-sign)",
@@ -298,6 +302,32 @@ fn write_pressed_otherwise(
         f,
         "the tool pressed with {force:.1} N, {ratio:.2} × press_force_n ({declared:.1} N){consequence}: set interaction.press_force_n if {force:.1} N is the nominal force"
     )
+}
+
+/// Least difference of two offsets of the surface that is stated [m].
+const LEAST_DIFFERENCE: f64 = 1e-3;
+
+/// Writes how far the surface is off under both explanations of another force, if they differ.
+fn write_offsets(f: &mut fmt::Formatter<'_>, offsets: Option<[f64; 2]>) -> fmt::Result {
+    match offsets {
+        Some([by_press, by_scale])
+            if (by_press - by_scale).abs() >= LEAST_DIFFERENCE
+                && (by_press + by_scale).is_finite() =>
+        {
+            let taken = if by_press < by_scale {
+                "first"
+            } else {
+                "second"
+            };
+            write!(
+                f,
+                "; the surface is up to {:.1} mm from where it is believed to be if this force is right, up to {:.1} mm if its scale is wrong: the {taken} is taken, as it is nearer",
+                1e3 * by_press,
+                1e3 * by_scale
+            )
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes [`Doubt::StiffnessDiffers`].

@@ -146,6 +146,11 @@ impl<'a> EventDetector<'a> {
         for i in 0..self.path.len() {
             let [start, end] = self.span(i);
             let now = level(i);
+            // Nothing is known about a gap in the log, so no event lasts beyond it.
+            let is_after_gap = |candidate: &Candidate| start - candidate.end > bridge(i);
+            if candidate.as_ref().is_some_and(is_after_gap) {
+                candidates.extend(candidate.take());
+            }
             if now == Level::Below {
                 if candidate
                     .as_ref()
