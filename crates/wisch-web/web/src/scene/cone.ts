@@ -1,5 +1,6 @@
 // A circular cone onto which the chart of a surface is rolled: in the chart, a sector about the apex.
 import { Vector3 } from "three";
+import { once } from "../columns.ts";
 import type { ConeShape } from "../recording.ts";
 
 /** Directions of a cone in the chart and in space. */
@@ -16,20 +17,14 @@ interface Axes {
   across: Vector3;
 }
 
-const known = new WeakMap<ConeShape, Axes>();
-
-function axesOf(cone: ConeShape): Axes {
-  const made = known.get(cone);
-  if (made) return made;
+const axesOf = once((cone: ConeShape): Axes => {
   const [x, y] = [Math.cos(cone.axis_rad), Math.sin(cone.axis_rad)];
   const [cosine, sine] = [Math.cos(cone.half_angle_rad), Math.sin(cone.half_angle_rad) * Math.sign(cone.radius_m)];
-  const axes: Axes = {
+  return {
     along: [x, y], cosine, sine, slant: cone.radius_m / sine,
     axis: new Vector3(cosine * x, cosine * y, -sine), radial: new Vector3(sine * x, sine * y, cosine), across: new Vector3(-y, x, 0),
   };
-  known.set(cone, axes);
-  return axes;
-}
+});
 
 /** Returns the angle about the axis from the chart's origin to a place [rad]. */
 export function rollOnCone(cone: ConeShape, x: number, y: number): number {

@@ -1,5 +1,6 @@
 // A surface of a mesh: its points by their places in the chart.
-import { Box2, BufferAttribute, BufferGeometry, Vector2, Vector3 } from "three";
+import { Box2, BufferGeometry, Float32BufferAttribute, Vector2, Vector3 } from "three";
+import { once } from "../columns.ts";
 import type { MeshShape } from "../recording.ts";
 
 /** Triangle and barycentric coordinates of a place; outside the chart, those of the triangle at the nearest vertex. */
@@ -21,9 +22,7 @@ export class Sheet {
 
   constructor(private readonly shape: MeshShape) {
     const { points, places, triangles } = shape;
-    this.geometry = new BufferGeometry();
-    this.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
-    this.geometry.setIndex([...triangles]);
+    this.geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute([...points], 3)).setIndex([...triangles]);
     this.geometry.computeVertexNormals();
     this.normals = this.geometry.getAttribute("normal").array;
     const chart = new Box2();
@@ -102,13 +101,5 @@ export class Sheet {
   }
 }
 
-const sheets = new WeakMap<MeshShape, Sheet>();
-
 /** Returns the chart of a mesh, which is made once. */
-export function sheetOf(shape: MeshShape): Sheet {
-  const known = sheets.get(shape);
-  if (known) return known;
-  const made = new Sheet(shape);
-  sheets.set(shape, made);
-  return made;
-}
+export const sheetOf = once((shape: MeshShape) => new Sheet(shape));
