@@ -33,19 +33,6 @@ export interface View {
   destroy(): void;
 }
 
-/** Listens to the keys of the clock, of the camera and of the selection. Returns a function that ends this. */
-function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel, timeline: Timeline): () => void {
-  return listenKeys(element, clock, recording, (key) => {
-    if (key === "f") panel.look("all");
-    else if (key === "v") panel.look("above");
-    else if (key === "t") panel.toggleFollow();
-    else if (key === "l" && clock.live) clock.follow();
-    else if (key === "i" || key === "o") timeline.selectTo(key === "o");
-    else if (key !== "escape" || !(closeMenu(element) || timeline.select(null))) return false;
-    return true;
-  });
-}
-
 /** Closes the open menu beside the clock. Returns whether one was open. */
 function closeMenu(view: HTMLElement): boolean {
   const menu = view.querySelector<HTMLDetailsElement>("details[name=w-menu][open]");
@@ -87,7 +74,10 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
-    listenLooks(element, clock, recording, panel, timeline),
+    listenKeys(element, clock, recording, {
+      f: () => panel.look("all"), v: () => panel.look("above"), t: () => panel.toggleFollow(), l: () => clock.live && clock.follow(),
+      i: () => timeline.selectTo(false), o: () => timeline.selectTo(true), Escape: () => closeMenu(element) || timeline.select(null),
+    }),
   ];
   if (recording.live) clock.follow();
   show();

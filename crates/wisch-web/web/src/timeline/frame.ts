@@ -76,9 +76,13 @@ const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 30
 /** Returns the step between time labels and their times, at most `most` of them [s]. */
 export function ticks(from: number, to: number, most: number): { step: number; times: number[] } {
   const step = STEPS.find((step) => (to - from) / step <= most) ?? (to - from) / most;
-  const times: number[] = [];
-  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9; k++) times.push(k * step);
-  return { step, times };
+  return { step, times: multiplesOf(step, from, to) };
+}
+
+/** Returns the multiples of a step within an interval. */
+function multiplesOf(step: number, from: number, to: number): number[] {
+  const first = Math.ceil(from / step - 1e-9);
+  return Array.from({ length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) }, (_, k) => (first + k) * step);
 }
 
 /** Returns round values of an axis from `low` to `high`, about `most` of them. */
@@ -86,9 +90,7 @@ export function levels(low: number, high: number, most: number): number[] {
   const raw = (high - low) / most;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((k) => k * power).find((step) => step >= raw * 0.999) ?? raw;
-  const list: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) list.push(k * step);
-  return list;
+  return multiplesOf(step, low, high);
 }
 
 export type Pen = CanvasRenderingContext2D;
