@@ -1,5 +1,5 @@
 // Lifts what lies in the chart of a surface onto a curved surface.
-import { BufferAttribute, BufferGeometry, Vector3 } from "three";
+import { BufferGeometry, Float32BufferAttribute, Vector3 } from "three";
 import { metres } from "../particles.ts";
 import { matrix } from "./solids.ts";
 import { liftOntoCone, normalOfCone, pastRollOnCone, rollOnCone } from "./cone.ts";
@@ -163,8 +163,7 @@ export function liftGeometry(shape: Bend, flat: BufferGeometry): BufferGeometry 
     const corner = (k: number): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!];
     divide([corner(0), corner(1), corner(2)], add);
   }
-  const bent = new BufferGeometry();
-  bent.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
+  const bent = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(positions, 3));
   bent.computeVertexNormals();
   flat.dispose();
   return bent;

@@ -2,15 +2,14 @@
 import { BufferGeometry, CanvasTexture, Float32BufferAttribute, Points, PointsMaterial } from "three";
 import { shiftDepth } from "./solids.ts";
 
-/** Draws a picture of 64 pixels, at first in white, which colours tint. */
-export function drawTexture(draw: (pen: CanvasRenderingContext2D) => void): CanvasTexture {
+/** Draws a square picture, at first in white, which colours tint. `look`: properties of its texture. */
+export function drawTexture(draw: (pen: CanvasRenderingContext2D) => void, pixels = 64, look: Partial<CanvasTexture> = {}): CanvasTexture {
   const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
+  canvas.width = canvas.height = pixels;
   const pen = canvas.getContext("2d")!;
   pen.fillStyle = pen.strokeStyle = "#fff";
-  pen.beginPath();
   draw(pen);
-  return new CanvasTexture(canvas);
+  return Object.assign(new CanvasTexture(canvas), look);
 }
 
 /** Draws a dot with a dark rim. */

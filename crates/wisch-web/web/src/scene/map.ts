@@ -21,11 +21,8 @@ function makeCells({ record, shape }: SurfaceValues): BufferGeometry {
     CORNERS.forEach(([x, y], k) => positions.set(lift(shape, places[2 * i]! + x * across, places[2 * i + 1]! + y * up, ABOVE / 2), 12 * i + 3 * k));
     index.push(4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3);
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setAttribute("color", new BufferAttribute(new Float32Array(12 * count), 3));
-  geometry.setIndex(index);
-  return geometry;
+  const colours = new BufferAttribute(new Float32Array(12 * count), 3);
+  return new BufferGeometry().setAttribute("position", new BufferAttribute(positions, 3)).setAttribute("color", colours).setIndex(index);
 }
 
 export class SurfaceMap {

@@ -1,5 +1,5 @@
 // Positions of the tool at events, and arrows where somebody or something pushed.
-import { BufferGeometry, Color, Float32BufferAttribute, Group, Vector3 } from "three";
+import { Color, Float32BufferAttribute, Group, Vector3 } from "three";
 import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { eventColour } from "../timeline/lanes.ts";
@@ -97,8 +97,6 @@ export class Marks {
       }
     }
     this.points.geometry.dispose();
-    this.points.geometry = new BufferGeometry();
-    this.points.geometry.setAttribute("position", new Float32BufferAttribute(places, 3));
-    this.points.geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
+    this.points.geometry.setAttribute("position", new Float32BufferAttribute(places, 3)).setAttribute("color", new Float32BufferAttribute(colours, 3));
   }
 }

@@ -379,14 +379,9 @@ export class Stage {
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
     this.sun = sun;
-    sun.shadow.mapSize.set(this.painter.shadowSize, this.painter.shadowSize);
-    sun.shadow.bias = -0.0005;
-    sun.shadow.normalBias = 0.01;
-    sun.shadow.intensity = 0.4;
-    sun.shadow.radius = 4;
-    Object.assign(sun.shadow.camera, {
-      left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
-    });
+    sun.shadow.mapSize.setScalar(this.painter.shadowSize);
+    Object.assign(sun.shadow, { bias: -0.0005, normalBias: 0.01, intensity: 0.4, radius: 4 });
+    Object.assign(sun.shadow.camera, { left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius });
     const sky = new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT);
     sky.position.set(0, 0, 1);
     this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));

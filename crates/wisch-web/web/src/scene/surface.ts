@@ -24,6 +24,8 @@ export const TRUE_DASH_M: [number, number] = [0.005 * TRUTH_DASH[0], 0.005 * TRU
 const FADED = 0.2;
 /** Height over the surface to which the camera sees [m]. */
 const SIGHT_M = 0.03;
+/** How far points that are to be seen lie from the corners of the surface, as a share of the way to its middle [1]. */
+const INSET = 0.12;
 /** Names of surfaces that are drawn as wood. */
 const WOODEN = /board|table|wood|desk|counter/i;
 
@@ -102,7 +104,7 @@ export class Still {
   /** Makes furniture between the camera and the surface translucent. */
   fade(eye: Vector3): void {
     if (!this.surface || !this.obstacles.length) return;
-    this.sights ??= this.makeSights(this.surface);
+    this.sights ??= this.pointsOver(SIGHT_M);
     for (const obstacle of this.obstacles) {
       const [block] = blocksOf([obstacle]);
       const hides = block !== undefined && this.sights.some((place) => isBetween(block, place, eye));
@@ -126,12 +128,16 @@ export class Still {
     return liftGeometry(bend, new ShapeGeometry(shape));
   }
 
-  /** Returns points over corners and middle of the surface in the world, which are to be seen [m]. */
-  private makeSights(surface: Mesh): Vector3[] {
+  /** Corners of the surface in the world [m]. */
+  get corners(): Vector3[] {
+    return this.surface ? cornersOf([this.surface]) : [];
+  }
+
+  /** Returns points at a height over the middle of the surface and near its corners, which are to be seen [m]. */
+  pointsOver(height: number): Vector3[] {
     this.group.updateMatrixWorld(true);
-    const corners = cornersOf([surface]);
-    const middle = middleOf(corners);
-    return [middle, ...corners.map((corner) => corner.lerp(middle, 0.1))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), SIGHT_M));
+    const middle = middleOf(this.corners);
+    return [middle, ...this.corners.map((corner) => corner.lerp(middle, INSET))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), height));
   }
 
   private addSurface(wooden: boolean): void {

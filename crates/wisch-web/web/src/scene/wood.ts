@@ -1,5 +1,6 @@
 // The grain of a wooden board.
-import { CanvasTexture, RepeatWrapping, SRGBColorSpace } from "three";
+import { RepeatWrapping, SRGBColorSpace, Vector2, type CanvasTexture } from "three";
+import { drawTexture } from "./dots.ts";
 
 /** Size of the picture [pixels], and of what it covers [m]. */
 const SIZE_PX = 256;
@@ -13,10 +14,10 @@ let texture: CanvasTexture | null = null;
 
 /** Returns shades of white, by which the colour of the board is multiplied; coordinates are in metres. */
 export function woodTexture(): CanvasTexture {
-  if (texture) return texture;
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = SIZE_PX;
-  const pen = canvas.getContext("2d")!;
+  return (texture ??= drawTexture(drawWood, SIZE_PX, { wrapS: RepeatWrapping, wrapT: RepeatWrapping, colorSpace: SRGBColorSpace, anisotropy: 4, repeat: new Vector2(1 / SIZE_M, 1 / SIZE_M) }));
+}
+
+function drawWood(pen: CanvasRenderingContext2D): void {
   const picture = pen.createImageData(SIZE_PX, SIZE_PX);
   for (let y = 0; y < SIZE_PX; y++) for (let x = 0; x < SIZE_PX; x++) {
     const strip = Math.floor((STRIPS * y) / SIZE_PX);
@@ -29,10 +30,4 @@ export function woodTexture(): CanvasTexture {
     picture.data.set([shade, shade, shade, 255], 4 * (SIZE_PX * y + x));
   }
   pen.putImageData(picture, 0, 0);
-  texture = new CanvasTexture(canvas);
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.repeat.setScalar(1 / SIZE_M);
-  texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 4;
-  return texture;
 }
