@@ -3,7 +3,7 @@ import "./studio/studio.css";
 import { el } from "./dom.ts";
 import { Recording } from "./store.ts";
 import { drawAnswers, hasView } from "./studio/answers.ts";
-import { apply, episodesOf, shownOf } from "./studio/shown.ts";
+import { episodesOf } from "./studio/shown.ts";
 import { Stage } from "./studio/stage.ts";
 import type { Answers } from "./studio/server.ts";
 
@@ -37,32 +37,21 @@ class AnswersPage {
   }
 
   /** Shows one answer or all (`row` null), in an episode or in the shown or first one of the answers (`wanted` null). */
-  private async show(row: number | null, wanted: string | null): Promise<void> {
+  private show(row: number | null, wanted: string | null): Promise<void> {
     const mine = ++this.asked;
-    const episodes = episodesOf(this.answers, row);
-    const current = this.stage.shown.find(({ id }) => (wanted ? id === wanted : episodes.includes(id)));
-    const id = wanted ?? current?.id ?? episodes.find((one) => this.packed.has(one)) ?? episodes[0];
-    if (!id) return;
-    if (!current) {
+    return this.stage.answer(this.answers, row, wanted, (ids) => ids.find((one) => this.packed.has(one)) ?? ids[0], async (id) => {
       const packed = this.packed.get(id);
-      if (packed === undefined) {
-        this.stage.say("note", `This page holds no recording of episode ${id}.`);
-        return;
-      }
+      if (packed === undefined) return this.stage.say("note", `This page holds no recording of episode ${id}.`);
       this.stage.say("wait", "Loading \u2026");
       const loaded = this.recordings.get(id) ?? unpack(packed);
       this.recordings.set(id, loaded);
       try {
         const recording = await loaded;
-        if (mine !== this.asked) return;
-        this.stage.show([{ id, recording, live: null }], null);
+        if (mine === this.asked) this.stage.show([{ id, recording, live: null }], null);
       } catch (error) {
         if (mine === this.asked) this.stage.say("fault", `The recording of episode ${id} cannot be decompressed: ${String(error)}`);
-        return;
       }
-    }
-    const now = this.stage.shown.find((one) => one.id === id);
-    if (now) apply(now.view, shownOf(this.answers, row, id, now.recording));
+    });
   }
 }
 

@@ -83,10 +83,6 @@ export class Completer {
     this.all = proposals(words);
   }
 
-  get isOpen(): boolean {
-    return this.now !== null;
-  }
-
   close(): void {
     this.now = null;
     this.list.hidden = true;
