@@ -1,7 +1,6 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, estimateText, fixed, percent, phaseText, say, uniqueId } from "./dom.ts";
-import { frames, throttle } from "./frames.ts";
-import { isSoftwareRendered } from "./software.ts";
+import { frames, isSoftwareRendered, throttle } from "./frames.ts";
 import { endText, heightText } from "./words.ts";
 import { isPrinting, onTheme } from "./theme.ts";
 import { drawText, Frame, type Lane, type LaneName, type Pen } from "./timeline/frame.ts";

@@ -1,6 +1,6 @@
 // The renderer: full quality on a graphics card, reduced quality in software.
 import { Color, PCFShadowMap, WebGLRenderer, type Camera, type Scene } from "three";
-import { isSoftwareRendered } from "../software.ts";
+import { isSoftwareRendered } from "../frames.ts";
 import { colour } from "../theme.ts";
 
 /** Maximum number of drawn pixels. */

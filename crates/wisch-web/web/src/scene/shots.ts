@@ -1,9 +1,9 @@
 // What the camera shows of a round: all, the surface, or, while it follows, what the current phase is about.
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 import { liftLine, normalUnder } from "./bend.ts";
 import { matrix } from "./solids.ts";
 import { corners, type Still } from "./surface.ts";
-import { blocksOf, chooseDirection, cornersOf, type Moment } from "./viewpoint.ts";
+import { blocksOf, chooseDirection, cornersOf, cornersOfBox, type Moment } from "./viewpoint.ts";
 import type { Robot } from "./robot.ts";
 import type { RoundPiece } from "../recording.ts";
 import type { Round } from "../round.ts";
@@ -117,8 +117,9 @@ export function strokePoints({ plan: { strokes, surface } }: Round, { stroke }: 
   const line = liftLine(surface.shape, corners(strokes[stroke ?? -1] ?? []), false);
   const worldFromSurface = matrix(surface.pose);
   return line.flatMap((corner) => {
-    const { x, y, z } = new Vector3(...corner).applyMatrix4(worldFromSurface);
-    return Array.from({ length: 8 }, (_, c) => new Vector3(x + (c & 1 ? ROOM_M : -ROOM_M), y + (c & 2 ? ROOM_M : -ROOM_M), z + (c & 4 ? ROOM_M : 0)));
+    const box = new Box3().expandByPoint(new Vector3(...corner).applyMatrix4(worldFromSurface)).expandByScalar(ROOM_M);
+    box.min.z += ROOM_M;
+    return cornersOfBox(box);
   });
 }
 

@@ -4,11 +4,6 @@ import { drawAnswers, hasView, type AnswerActions } from "./answers.ts";
 import { Completer } from "./complete.ts";
 import { ask, Refused, vocabulary, type Fault } from "./server.ts";
 
-export interface AskActions extends AnswerActions {
-  /** Called with a query when it is asked. */
-  asked(query: string | null): void;
-}
-
 export class Ask {
   readonly element: HTMLElement;
   readonly field = el("textarea", {
@@ -27,7 +22,8 @@ export class Ask {
   private readonly button: HTMLButtonElement;
   private asking: AbortController | null = null;
 
-  constructor(private readonly actions: AskActions) {
+  /** `asked` is called with a query when it is asked. */
+  constructor(private readonly actions: AnswerActions & { asked(query: string | null): void }) {
     this.button = el("button", { class: "w-button s-primary", type: "button", click: () => (this.asking ? this.asking.abort() : void this.ask()) }, "Ask");
     this.element = el("section", { class: "s-ask", hidden: true },
       el("div", { class: "s-field" }, this.field, this.completer.list),

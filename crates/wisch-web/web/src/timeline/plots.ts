@@ -145,7 +145,7 @@ function drawResult(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   const predicted = round.growthAt(round.length);
   if (predicted !== null) drawJump(pen, x, y(predicted), y(estimate.mean));
   // Without a camera both estimates are one.
-  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
+  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch);
   const truth = round.truth?.performance ?? null;
   if (truth === null) return;
   const at = y(truth);
@@ -164,12 +164,9 @@ function drawJump(pen: Pen, x: number, from: number, to: number): void {
   drawLine(pen, x + 3.5, to + back, x, to, "ink", 1.4);
 }
 
-function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate, name: string, width: number, cap: number): void {
-  drawLine(pen, x, y(low), x, y(high), name, width);
-  drawLine(pen, x - cap, y(low), x + cap, y(low), name, width);
-  drawLine(pen, x - cap, y(high), x + cap, y(high), name, width);
-  pen.fillStyle = colour(name);
-  pen.beginPath();
-  pen.arc(x, y(mean), 1.7 * width, 0, 2 * Math.PI);
-  pen.fill();
+/** Draws the estimate from touch. */
+function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate): void {
+  drawLine(pen, x, y(low), x, y(high), "by-touch", 1.4);
+  for (const bound of [low, high]) drawLine(pen, x - 3, y(bound), x + 3, y(bound), "by-touch", 1.4);
+  fillBox(pen, "by-touch", x - 2.2, y(mean) - 2.2, 4.4, 4.4);
 }
