@@ -15,7 +15,9 @@ export interface Listed {
   low: number | null;
   high: number | null;
   met: boolean;
+  /** Verdict on the last round, and how the run ended, where its recording states it. */
   verdict: string | null;
+  badge?: string | null;
   /** Target performance, in [0, 1]. */
   target: number | null;
   /** Begins of the rounds, since the episode began [s]. */
