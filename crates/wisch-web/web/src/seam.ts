@@ -63,15 +63,15 @@ export class Seam {
     const [surface, left, right] = [uniqueId(), uniqueId(), uniqueId()];
     const side = (clip: string, ...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${clip})`, class: "w-map" }, ...parts);
     const density = treatment ? null : interpreted!.density ?? null;
-    const map = treatment ? { id: surface, map: svg("g", { "clip-path": `url(#${surface})` },
-      side(left, ...drawCells(treatment, resultValues(treatment, interpreted!.treated)!)), side(right, ...drawCells(treatment, resultValues(treatment, truth!.treated)!))) } : null;
+    const onSurface = (...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${surface})` }, ...parts);
+    const map = treatment ? [side(left, ...drawCells(treatment, resultValues(treatment, interpreted!.treated)!)), side(right, ...drawCells(treatment, resultValues(treatment, truth!.treated)!))] : [];
     const dots = treatment ? [] : [
       ...(density ? [] : [{ mark: "estimated" as const, places: metres(interpreted!.particles) }]), { mark: "actual" as const, places: metres(truth!.particles!) },
     ];
     const rows = compareWithTruth(round).map(([quantity, estimated, actual]) => `${quantity}: ${estimated} estimated, ${actual} true.`);
     const label = `${capitalise(viewOf(round))} at the end of round ${number}: estimated left of the seam, true right of it. ${rows.join(" ")}`;
-    const picture = surfacePicture(round, dots, label, map);
-    if (density) picture.querySelector(".w-dots")?.before(side(left, ...drawDensity(density)));
+    const picture = surfacePicture(round, dots, label, { id: surface, map: onSurface(...map) });
+    if (density) picture.querySelector(".w-dots")?.before(onSurface(side(left, ...drawDensity(density))));
     picture.querySelector(".w-dots-estimated")?.setAttribute("clip-path", `url(#${left})`);
     picture.querySelector(".w-dots-actual")?.setAttribute("clip-path", `url(#${right})`);
     const [x, y, width, height] = picture.getAttribute("viewBox")!.split(" ").map(Number) as [number, number, number, number];

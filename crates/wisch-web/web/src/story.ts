@@ -115,7 +115,8 @@ export class Story {
   }
 
   private makePart(title: string, text: string, more: Node | null = null): Node[] {
-    const parts = [...(text ? [el("p", {}, text)] : []), ...(more ? [more] : [])];
+    // A number and its sign stay on one line.
+    const parts = [...(text ? [el("p", {}, text.replaceAll(/(?<=\d) %/g, "\u202f%"))] : []), ...(more ? [more] : [])];
     return parts.length ? [el("h2", {}, title), ...parts] : [];
   }
 

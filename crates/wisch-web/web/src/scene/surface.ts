@@ -205,8 +205,8 @@ function makeCells({ record, shape }: SurfaceValues): BufferGeometry {
 }
 
 export class SurfaceMap {
-  /** Its depth is shifted as that of the surface, and a little more. */
-  readonly mesh = new Mesh(new BufferGeometry(), shiftDepth(new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 }), 0.997));
+  /** Its depth is shifted as that of the surface, and a little more, but less than that of the tool's path. */
+  readonly mesh = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
   /** The shown map, and the theme of its colours. */
   private shown: SurfaceValues | null = null;
   private theme = "";

@@ -103,6 +103,8 @@ interface Look {
   base?: CanvasTextBaseline;
   name?: string;
   room?: number;
+  /** Whether it is set off from what lies behind it. */
+  halo?: boolean;
 }
 
 /** Sets how texts are drawn. */
@@ -130,7 +132,7 @@ export function drawClipped(pen: Pen, [x, y, width, height]: [number, number, nu
 
 /** Draws a text; nothing if its room is too narrow for three letters. */
 export function drawText(pen: Pen, text: string, x: number, y: number, look: Look = {}): void {
-  const { room = Infinity } = look;
+  const { room = Infinity, halo = false } = look;
   if (room < 14) return;
   setText(pen, look);
   let shown = text.length > 200 ? text.slice(0, 200) : text;
@@ -139,6 +141,8 @@ export function drawText(pen: Pen, text: string, x: number, y: number, look: Loo
     if (shown.length < 3) return;
     shown += "\u2026";
   }
+  [pen.strokeStyle, pen.lineWidth, pen.lineJoin] = [colour("paper"), 3, "round"];
+  if (halo) pen.strokeText(shown, x, y);
   pen.fillText(shown, x, y);
 }
 

@@ -37,14 +37,14 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
   drawClipped(pen, plotArea(frame, lane), () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
-      const target = look.target?.(round) ?? null;
-      if (target !== null) drawTarget(pen, [Math.max(frame.left, frame.x(round.start)), frame.x(round.end)], y(target), frame.narrow || target === labelled ? "" : `target ${fixed(target, 1)}\u202fN`, true);
-      labelled = target;
       pen.strokeStyle = colour(look.name);
       pen.lineWidth = 1.5;
       pen.lineJoin = "round";
       const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 4 * frame.span;
       drawCurve(pen, (dense ? findEnvelope : findSamples)(frame, round, of(round), (value) => y(value * look.unit)));
+      const target = look.target?.(round) ?? null;
+      if (target !== null) drawTarget(pen, [Math.max(frame.left, frame.x(round.start)), frame.x(round.end)], y(target), frame.narrow || target === labelled ? "" : `target ${fixed(target, 1)}\u202fN`, true);
+      labelled = target;
     }
   });
 }
@@ -101,12 +101,12 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   });
 }
 
-/** Draws a target as a dashed line, with its label above or below it. */
+/** Draws a target as a dashed line, with its label above or below it, in front of curves. */
 function drawTarget(pen: Pen, [from, to]: [number, number], y: number, label: string, isAbove: boolean): void {
   pen.setLineDash([6, 4]);
   drawLine(pen, from, y, to, y, "target", 1.5);
   pen.setLineDash([]);
-  drawText(pen, label, from + 5, y + (isAbove ? -2 : 3), { size: 10, base: isAbove ? "bottom" : "top", name: "target" });
+  drawText(pen, label, from + 5, y + (isAbove ? -2 : 3), { size: 10, base: isAbove ? "bottom" : "top", name: "target", halo: true });
 }
 
 function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
