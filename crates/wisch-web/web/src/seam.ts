@@ -35,7 +35,7 @@ export function makeDensityLegend({ cell }: DensityRecord): HTMLElement {
     const side = 14 * Math.sqrt(Math.min(1, number));
     return svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("rect", { x: 7 - side / 2, y: 7 - side / 2, width: side, height: side, class: `w-density-${shadeOf(number) + 1}` }));
   };
-  return el("li", {}, `estimate: expected particles per ${Math.round(1000 * cell)} mm cell:`, ...[0.1, 0.5, ...SHADES].flatMap((number, i, all) => [square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`]));
+  return el("li", {}, `estimate: expected particles per ${Math.round(1000 * cell)} mm cell:`, ...[0.1, 0.5, ...SHADES].map((number, i, all) => el("span", {}, square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`)));
 }
 
 export class Seam {
