@@ -134,11 +134,9 @@ export class Timeline {
     this.frame.layOut(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
     const magnified = (this.element as HTMLElement & { currentCSSZoom?: number }).currentCSSZoom ?? 1;
     const ratio = isPrinting() ? 3 : Math.min((devicePixelRatio || 1) * magnified, 2);
-    this.base.width = Math.round(width * ratio);
-    this.base.height = Math.round(this.frame.height * ratio);
-    this.base.style.width = `${width}px`;
-    this.base.style.height = `${this.frame.height}px`;
-    this.element.style.height = `${this.frame.height}px`;
+    Object.assign(this.base, { width: Math.round(width * ratio), height: Math.round(this.frame.height * ratio) });
+    Object.assign(this.base.style, { width: `${width}px`, height: `${this.frame.height}px` });
+    this.element.style.height = this.base.style.height;
     this.stale = true;
     frames.drop(this.moved);
     this.draw();

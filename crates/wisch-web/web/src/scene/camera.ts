@@ -25,11 +25,7 @@ export class Camera {
   /** `changed` is called when the view changes, `taken` when a user changes it. */
   constructor(canvas: HTMLCanvasElement, changed: () => void, private readonly taken: () => void) {
     this.lens.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.lens, canvas);
-    this.controls.maxPolarAngle = 0.62 * Math.PI;
-    this.controls.minDistance = 0.1;
-    this.controls.maxDistance = 40;
-    this.controls.zoomToCursor = true;
+    this.controls = Object.assign(new OrbitControls(this.lens, canvas), { maxPolarAngle: 0.62 * Math.PI, minDistance: 0.1, maxDistance: 40, zoomToCursor: true });
     this.controls.addEventListener("start", () => { this.held = true; });
     this.controls.addEventListener("end", () => { this.held = false; });
     this.controls.addEventListener("change", () => {

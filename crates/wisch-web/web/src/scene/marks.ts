@@ -71,10 +71,8 @@ export class Marks {
   }
 
   private build(recording: Recording, round: Round): void {
-    const places: number[] = [];
-    const colours: number[] = [];
-    this.starts = [];
-    this.pushes = [];
+    const [places, colours]: [number[], number[]] = [[], []];
+    [this.starts, this.pushes] = [[], []];
     this.arrows.clear();
     for (const happening of recording.happenings) {
       const [start, end] = [happening.start - round.start, happening.end - round.start];

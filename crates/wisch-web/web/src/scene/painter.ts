@@ -28,9 +28,7 @@ export class Painter {
     this.renderer = new WebGLRenderer({ canvas, stencil: true, antialias: !this.software, alpha: !this.software, powerPreference: "high-performance" });
     // The check for shader errors would wait until all shaders are compiled.
     this.renderer.debug.checkShaderErrors = false;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.shadowMap.autoUpdate = !this.software;
+    Object.assign(this.renderer.shadowMap, { enabled: true, type: PCFShadowMap, autoUpdate: !this.software });
   }
 
   /** Whether a frame has shadows. In software only frames at rest have them, because they take as long as all else. */

@@ -134,24 +134,12 @@ export class Refused extends Error {
 const GONE = "The studio does not respond. If it has ended, start it again: wisch studio.";
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(path, { ...init, cache: "no-store" });
-  } catch {
-    throw new Refused({ message: GONE }, 0);
-  }
+  const response = await fetch(path, { ...init, cache: "no-store" }).catch(() => { throw new Refused({ message: GONE }, 0); });
   if (response.ok) return response;
-  throw new Refused(await faultOf(response), response.status);
-}
-
-async function faultOf(response: Response): Promise<Fault> {
-  try {
-    const body = (await response.json()) as { error?: Fault };
-    if (body.error) return body.error;
-  } catch {
-    // The response has no readable message.
-  }
-  return { message: `The studio refused the request with HTTP status ${response.status}.` };
+  const { status } = response;
+  // A refusal may have no readable message.
+  const body = (await response.json().catch(() => null)) as { error?: Fault } | null;
+  throw new Refused(body?.error ?? { message: `The studio refused the request with HTTP status ${status}.` }, status);
 }
 
 const post = async <T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> => {

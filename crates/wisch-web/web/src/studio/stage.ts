@@ -179,7 +179,7 @@ class Head {
     this.wasLive = source.live !== null;
     this.summary = new Story(recording, seek);
     this.story = el("div", { class: "s-story", hidden: true }, this.summary.element);
-    this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => void this.stopIt(id) }, "Stop");
+    this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => this.stopIt(id) }, "Stop");
     this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Summary");
     this.element = el("header", { class: "s-head" }, this.summary.title, el("span", { class: "s-result" }, this.result, this.summary.badge), this.connection, this.kept,
       el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
@@ -192,16 +192,14 @@ class Head {
     this.storyButton.setAttribute("aria-pressed", String(open));
   }
 
-  private async stopIt(id: string): Promise<void> {
+  private stopIt(id: string): void {
     this.stopButton.disabled = true;
     say(this.stopButton, "Stopping \u2026");
-    try {
-      await stopRun(id);
-    } catch (error) {
+    stopRun(id).catch((error: Error) => {
       this.stopButton.disabled = false;
       say(this.stopButton, "Stop");
-      say(this.connection, String((error as Error).message));
-    }
+      say(this.connection, error.message);
+    });
   }
 
   show(): void {
