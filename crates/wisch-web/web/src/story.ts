@@ -7,7 +7,7 @@ import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
-import type { IncidentRecord, Places } from "./recording.ts";
+import type { IncidentRecord, InterpretedPiece, Places } from "./recording.ts";
 import { namePushes, type Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
@@ -20,6 +20,9 @@ const NAMES: Record<string, string> = {
 
 const makeLegend = (names: string[], labels = NAMES) =>
   el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name === "sample" ? "estimated" : name), labels[name]!)));
+
+/** Keeps numbers and their percent signs on one line. */
+const tiePercents = (text: string): string => text.replaceAll(/(?<=\d) %/g, "\u202f%");
 
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
@@ -110,13 +113,12 @@ export class Story {
     return el("li", { "data-round": round.number },
       el("button", { type: "button", class: "w-when w-link", title: "Show this time", click: () => this.seek(round.start + (time ?? 0)) }, when),
       el("h3", {}, title),
-      ...[evidence, effect].filter((text) => text).map((text) => el("p", {}, text)),
+      ...[evidence, effect].filter((text) => text).map((text) => el("p", {}, tiePercents(text))),
       advice ? el("p", { class: "w-advice" }, advice) : null);
   }
 
   private makePart(title: string, text: string, more: Node | null = null): Node[] {
-    // A number and its sign stay on one line.
-    const parts = [...(text ? [el("p", {}, text.replaceAll(/(?<=\d) %/g, "\u202f%"))] : []), ...(more ? [more] : [])];
+    const parts = [...(text ? [el("p", {}, tiePercents(text))] : []), ...(more ? [more] : [])];
     return parts.length ? [el("h2", {}, title), ...parts] : [];
   }
 
@@ -156,6 +158,8 @@ export class Story {
     const interpreted = rounds.filter((round) => round.interpreted).slice(-8);
     if (!interpreted.length) return null;
     const target = head?.task?.target ?? null;
+    // Without a camera both estimates are one.
+    const differs = ({ estimate, by_touch }: InterpretedPiece) => by_touch.low !== estimate.low || by_touch.high !== estimate.high;
     const rows = interpreted.map(({ number, interpreted, truth }) => {
       const { estimate, by_touch } = interpreted!;
       const truly = truth?.performance ?? null;
@@ -166,7 +170,7 @@ export class Story {
       return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
         svg("svg", { role: "img", "aria-label": label },
           svg("rect", { x: x(0), y: 8, width: "97%", height: 10, rx: 5, fill: "var(--lane)" }),
-          svg("rect", { x: x(by_touch.low), y: 21.5, width: width(by_touch.low, by_touch.high), height: 2, fill: "var(--by-touch)" }),
+          differs(interpreted!) && svg("rect", { x: x(by_touch.low), y: 21.5, width: width(by_touch.low, by_touch.high), height: 2, fill: "var(--by-touch)" }),
           svg("rect", { x: x(estimate.low), y: 6, width: width(estimate.low, estimate.high), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
           upright(estimate.mean, 4, 22, { stroke: "var(--estimated)", "stroke-width": 3 }),
           target !== null && upright(target, 0, 26, { stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
@@ -176,6 +180,7 @@ export class Story {
     });
     const anyTruth = interpreted.some(({ truth }) => typeof truth?.performance === "number");
     const labels = { ...NAMES, actual: "true", target: `target ${percent(target ?? NaN)}` };
-    return el("div", { class: "w-bars" }, ...rows, makeLegend(["interval", "by-touch", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])], labels));
+    const anyTouch = interpreted.some((round) => differs(round.interpreted!));
+    return el("div", { class: "w-bars" }, ...rows, makeLegend(["interval", ...(anyTouch ? ["by-touch"] : []), ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])], labels));
   }
 }
