@@ -282,13 +282,7 @@ class Sheet {
 
   /** Returns the normal at the vertex that is nearest to a point in the frame of the surface. */
   normalNear(point: Vector3): Vector3 {
-    const { points } = this.shape;
-    let [nearest, least] = [0, Infinity];
-    for (let i = 0; i < points.length; i += 3) {
-      const distance = (points[i]! - point.x) ** 2 + (points[i + 1]! - point.y) ** 2 + (points[i + 2]! - point.z) ** 2;
-      if (distance < least) [nearest, least] = [i, distance];
-    }
-    return new Vector3().fromArray(this.normals, nearest);
+    return new Vector3().fromArray(this.normals, 3 * nearestTo(point.toArray(), this.shape.points));
   }
 
   private mean(values: ArrayLike<number>, { corners, weights }: Located): Vector3 {
@@ -308,13 +302,7 @@ class Sheet {
       const located = this.locate(t, x, y);
       if (located.weights.every((weight) => weight >= -1e-6)) return located;
     }
-    const { places } = this.shape;
-    let [nearest, least] = [0, Infinity];
-    for (let i = 0; i < this.triangleOf.length; i++) {
-      const distance = (places[2 * i]! - x) ** 2 + (places[2 * i + 1]! - y) ** 2;
-      if (distance < least) [nearest, least] = [i, distance];
-    }
-    return this.locate(this.triangleOf[nearest] ?? 0, x, y);
+    return this.locate(this.triangleOf[nearestTo([x, y], this.shape.places)] ?? 0, x, y);
   }
 
   private locate(t: number, x: number, y: number): Located {
@@ -327,6 +315,17 @@ class Sheet {
     const third = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / doubled;
     return { corners, weights: [1 - second - third, second, third] };
   }
+}
+
+/** Returns the index of the row of numbers that is nearest to a place. */
+function nearestTo(place: readonly number[], rows: readonly number[]): number {
+  let [nearest, least] = [0, Infinity];
+  for (let i = 0; i * place.length < rows.length; i++) {
+    let distance = 0;
+    for (let k = 0; k < place.length; k++) distance += (place[k]! - rows[i * place.length + k]!) ** 2;
+    if (distance < least) [nearest, least] = [i, distance];
+  }
+  return nearest;
 }
 
 /** Returns the chart of a mesh, which is made once. */
