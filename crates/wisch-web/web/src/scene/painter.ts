@@ -31,15 +31,6 @@ export class Painter {
     Object.assign(this.renderer.shadowMap, { enabled: true, type: PCFShadowMap, autoUpdate: !this.software });
   }
 
-  /** Whether a frame has shadows. In software only frames at rest have them, because they take as long as all else. */
-  hasShadows(resting: boolean): boolean {
-    return !this.software || resting;
-  }
-
-  get shadowSize(): number {
-    return this.software ? 512 : 1024;
-  }
-
   size(width: number, height: number): void {
     [this.width, this.height, this.ratio] = [width, height, 0];
   }

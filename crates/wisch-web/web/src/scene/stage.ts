@@ -270,7 +270,8 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
+    // In software only frames at rest have shadows, because they take as long as all else.
+    if (this.sun) this.sun.castShadow = this.ground.visible = resting || !this.painter.software;
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
     this.onDrawn?.();
@@ -378,7 +379,7 @@ export class Stage {
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
     this.sun = sun;
-    sun.shadow.mapSize.setScalar(this.painter.shadowSize);
+    sun.shadow.mapSize.setScalar(this.painter.software ? 512 : 1024);
     Object.assign(sun.shadow, { bias: -0.0005, normalBias: 0.01, intensity: 0.4, radius: 4 });
     Object.assign(sun.shadow.camera, { left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius });
     const sky = new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT);

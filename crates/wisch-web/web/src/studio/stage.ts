@@ -29,7 +29,6 @@ export interface StageActions {
 interface Pane extends Source {
   view: View;
   head: Head;
-  stop: () => void;
 }
 
 export class Stage {
@@ -83,7 +82,7 @@ export class Stage {
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
     const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
-    return { ...source, view, head, stop: onNews(recording, () => head.show()) };
+    return { ...source, view, head };
   }
 
   /** Shows one answer or all (`row` null): in an episode (`wanted`), or else in a shown one that they mention, or else in the one
@@ -116,8 +115,7 @@ export class Stage {
   clear(): void {
     for (const stop of this.stops) stop();
     this.stops = [];
-    for (const { view, head, stop } of this.panes) {
-      stop();
+    for (const { view, head } of this.panes) {
       head.destroy();
       view.destroy();
     }
@@ -173,6 +171,7 @@ class Head {
   private readonly storyButton: HTMLButtonElement;
   private readonly summary: Story;
   private wasLive: boolean;
+  private readonly stop: () => void;
 
   constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions, seek: (time: number) => void) {
     const { recording, id } = source;
@@ -184,6 +183,7 @@ class Head {
     this.element = el("header", { class: "s-head" }, this.summary.title, el("span", { class: "s-result" }, this.result, this.summary.badge), this.connection, this.kept,
       el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
         whole && actions.compare && el("button", { class: "w-button", type: "button", click: () => actions.compare?.() }, "Compare")));
+    this.stop = onNews(recording, () => this.show());
     this.show();
   }
 
@@ -225,6 +225,7 @@ class Head {
   }
 
   destroy(): void {
+    this.stop();
     this.summary.destroy();
   }
 }
