@@ -1,8 +1,13 @@
 //! The memory's episodes, for the page's list.
 
 use crate::refusal::Refusal;
+use flate2::read::GzDecoder;
 use serde::Serialize;
+use serde_json::Value;
 use std::collections::HashMap;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read as _};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use wisch_memory::catalogue::{EpisodeRow, entries};
 use wisch_memory::{Catalogue, CatalogueNode, IndividualId, Memory, MemoryError, RECORDING_FILE};
@@ -22,11 +27,16 @@ const DRAWN_ENDINGS: [(&str, &str); 2] = [("stopped", "Stopped"), ("ended early"
 /// Events of a class with a shorter pause between them are listed as one: a share of the episode's duration [1].
 const MERGED_SHARE: f64 = 0.01;
 
-/// The memory, with its last catalogue as a cache.
+/// Largest size of a decompressed recording that is searched for its ending [bytes].
+const MOST_UNPACKED: u64 = 1 << 28;
+
+/// The memory, with its last catalogue and the endings of runs as caches.
 #[derive(Debug)]
 pub struct Library {
     memory: Memory,
     last: Mutex<Option<Read>>,
+    /// How runs ended, by episode; see [`Listed::badge`].
+    endings: Mutex<HashMap<String, Option<String>>>,
 }
 
 /// A catalogue of these episodes.
@@ -57,6 +67,8 @@ pub struct Listed {
     met: bool,
     /// Verdict on its last round, for example "goal met".
     verdict: Option<String>,
+    /// How the run ended, for example "not met: no rounds left", as the recording of a missed goal states it.
+    badge: Option<String>,
     /// Target performance [1].
     target: Option<f64>,
     /// Begins of the rounds [s since the episode began].
@@ -90,6 +102,7 @@ impl Library {
         Self {
             memory,
             last: Mutex::default(),
+            endings: Mutex::default(),
         }
     }
 
@@ -142,11 +155,29 @@ impl Library {
                 let mut listed = about.summarise(row);
                 let recording = self.memory.folder().join(&row.id).join(RECORDING_FILE);
                 listed.has_recording = recording.is_file();
+                if listed.has_recording && !listed.met {
+                    listed.badge = self.ending(&row.id, &recording);
+                }
                 list.episodes.push(listed);
             }
         }
         Ok(list)
     }
+
+    /// Returns how a run ended. Each recording is read once.
+    fn ending(&self, id: &str, recording: &Path) -> Option<String> {
+        let mut endings = self.endings.lock().unwrap_or_else(PoisonError::into_inner);
+        let ending = endings.entry(id.to_owned());
+        ending.or_insert_with(|| read_ending(recording)).clone()
+    }
+}
+
+/// Returns the badge in the last piece of a recording, which is compressed by gzip.
+fn read_ending(recording: &Path) -> Option<String> {
+    let unpacked = GzDecoder::new(File::open(recording).ok()?).take(MOST_UNPACKED);
+    let lines = BufReader::new(unpacked).split(b'\n').map_while(Result::ok);
+    let piece: Value = serde_json::from_slice(&lines.last()?).ok()?;
+    piece["badge"].as_str().map(str::to_owned)
 }
 
 /// Summaries of the wiping actions, by episode.
@@ -197,6 +228,7 @@ impl<'a> About<'a> {
             high: number("semco:performanceHigh"),
             met: shared("soma:hasExecutionState").as_deref() == Some("ExecutionState_Succeeded"),
             verdict: (self.verdicts.get(&row.first)).map(|verdict| (*verdict).to_owned()),
+            badge: None,
             target: number("semco:target"),
             round_starts: (row.rounds.iter())
                 .map(|start| start - row.interval[0])

@@ -3,7 +3,7 @@ import "./studio/studio.css";
 import { el } from "./dom.ts";
 import { Recording } from "./store.ts";
 import { drawAnswers, hasView } from "./studio/answers.ts";
-import { apply, episodesOf, shownOf } from "./studio/shown.ts";
+import { episodesOf } from "./studio/shown.ts";
 import { Stage } from "./studio/stage.ts";
 import type { Answers } from "./studio/server.ts";
 
@@ -14,61 +14,43 @@ async function unpack(text: string): Promise<Recording> {
   return Recording.parse(await new Response(unpacked).text());
 }
 
-class AnswersPage {
-  private readonly stage = new Stage({ rests: () => {}, compare: null, isKept: () => true });
-  private readonly recordings = new Map<string, Promise<Recording>>();
-  /** Number of requests to show something; the result of an outdated one is dropped. */
-  private asked = 0;
-
-  constructor(root: HTMLElement, query: string, private readonly answers: Answers, private readonly packed: Map<string, string>, corner: HTMLElement) {
-    const show = (_: Answers, row: number | null, episode: string | null) => void this.show(row, episode);
-    const result = drawAnswers(answers, { show, clear: () => { for (const { view } of this.stage.shown) view.show(); } });
-    root.classList.add("s-studio");
-    root.append(
-      el("aside", { class: "s-side s-asked" },
-        el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "Answers of the memory"), corner),
-        el("section", { class: "s-ask" }, el("pre", { class: "s-printed" }, query), el("div", { class: "s-answers" }, ...result))),
-      this.stage.element);
-    // For measurements, and for use from the browser's console.
-    Object.assign(window, { wisch: { stage: this.stage } });
-    const episode = [...episodesOf(answers, null), ...packed.keys()].find((id) => packed.has(id));
-    if (episode || hasView(answers)) void this.show(null, episode ?? null);
-    else this.stage.say("note", "The answers name no episode that the page could show.");
-  }
-
-  /** Shows one answer or all (`row` null), in an episode or in the shown or first one of the answers (`wanted` null). */
-  private async show(row: number | null, wanted: string | null): Promise<void> {
-    const mine = ++this.asked;
-    const episodes = episodesOf(this.answers, row);
-    const current = this.stage.shown.find(({ id }) => (wanted ? id === wanted : episodes.includes(id)));
-    const id = wanted ?? current?.id ?? episodes.find((one) => this.packed.has(one)) ?? episodes[0];
-    if (!id) return;
-    if (!current) {
-      const packed = this.packed.get(id);
-      if (packed === undefined) {
-        this.stage.say("note", `This page holds no recording of episode ${id}.`);
-        return;
-      }
-      this.stage.say("wait", "Loading \u2026");
-      const loaded = this.recordings.get(id) ?? unpack(packed);
-      this.recordings.set(id, loaded);
-      try {
-        const recording = await loaded;
-        if (mine !== this.asked) return;
-        this.stage.show([{ id, recording, live: null }], null);
-      } catch (error) {
-        if (mine === this.asked) this.stage.say("fault", `The recording of episode ${id} cannot be decompressed: ${String(error)}`);
-        return;
-      }
-    }
-    const now = this.stage.shown.find((one) => one.id === id);
-    if (now) apply(now.view, shownOf(this.answers, row, id, now.recording));
-  }
-}
-
 /** Shows the answers that the document holds. `corner`: an element beside the title. */
 export function startAnswers(root: HTMLElement, corner: HTMLElement): void {
   const text = (id: string) => document.getElementById(id)?.textContent ?? "";
   const packed = new Map([...document.querySelectorAll<HTMLElement>("script[data-episode]")].map((one) => [one.dataset.episode!, one.textContent ?? ""]));
-  new AnswersPage(root, text("query"), JSON.parse(text("answers")) as Answers, packed, corner);
+  const answers = JSON.parse(text("answers")) as Answers;
+  const stage = new Stage({ rests: () => {}, compare: null, isKept: () => true });
+  const recordings = new Map<string, Promise<Recording>>();
+  /** Number of requests to show something; the result of an outdated one is dropped. */
+  let asked = 0;
+
+  /** Shows one answer or all (`row` null), in an episode or in the shown or first one of the answers (`wanted` null). */
+  const show = (row: number | null, wanted: string | null): Promise<void> => {
+    const mine = ++asked;
+    return stage.answer(answers, row, wanted, (ids) => ids.find((one) => packed.has(one)) ?? ids[0], async (id) => {
+      const bytes = packed.get(id);
+      if (bytes === undefined) return stage.say("note", `This page holds no recording of episode ${id}.`);
+      stage.say("wait", "Loading \u2026");
+      const loaded = recordings.get(id) ?? unpack(bytes);
+      recordings.set(id, loaded);
+      try {
+        const recording = await loaded;
+        if (mine === asked) stage.show([{ id, recording, live: null }], null);
+      } catch (error) {
+        if (mine === asked) stage.say("fault", `The recording of episode ${id} cannot be decompressed: ${String(error)}`);
+      }
+    });
+  };
+  const result = drawAnswers(answers, { show: (_, row, episode) => void show(row, episode), clear: () => { for (const { view } of stage.shown) view.show(); } });
+  root.classList.add("s-studio");
+  root.append(
+    el("aside", { class: "s-side s-asked" },
+      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "Answers of the memory"), corner),
+      el("section", { class: "s-ask" }, el("pre", { class: "s-printed" }, text("query")), el("div", { class: "s-answers" }, ...result))),
+    stage.element);
+  // For measurements, and for use from the browser's console.
+  Object.assign(window, { wisch: { stage } });
+  const episode = [...episodesOf(answers, null), ...packed.keys()].find((id) => packed.has(id));
+  if (episode || hasView(answers)) void show(null, episode ?? null);
+  else stage.say("note", "The answers name no episode that the page could show.");
 }

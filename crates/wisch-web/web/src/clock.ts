@@ -1,5 +1,6 @@
 // The clock of a view: play, pause, speed, seek, and following a live run.
 import { frames } from "./frames.ts";
+import type { Recording } from "./store.ts";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 /** A live run arrives in pieces. The clock stretches each piece to this multiple of the time between two pieces, so that it
@@ -11,12 +12,7 @@ const CATCH_UP_S = { least: 0.12, most: 0.8 };
 const LONGEST_FRAME_S = 3;
 
 /** A recording, as the clock sees it. */
-export interface Span {
-  duration: number;
-  /** End of the measured part [s]. */
-  now: number;
-  live: boolean;
-}
+type Span = Pick<Recording, "duration" | "now" | "live">;
 
 /** Time without movement until a clock counts as resting [ms]. */
 const REST_MS = 300;

@@ -38,5 +38,14 @@ export function lastIndex(length: number, has: (i: number) => boolean): number {
 /** Returns the index of the last of the sorted entries that is at most `value`; -1 if all are greater. */
 export const lastAtMost = (rising: readonly number[], value: number): number => lastIndex(rising.length, (i) => rising[i]! <= value);
 
+/** Returns `make` such that it makes the value of an object once. */
+export function once<Key extends object, Value>(make: (key: Key) => Value): (key: Key) => Value {
+  const made = new WeakMap<Key, Value>();
+  return (key) => {
+    if (!made.has(key)) made.set(key, make(key));
+    return made.get(key)!;
+  };
+}
+
 /** Returns a number of a piece; NaN for null, which stands for an unknown value. */
 export const number = (value: unknown): number => (typeof value === "number" ? value : NaN);

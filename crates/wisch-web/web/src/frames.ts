@@ -109,3 +109,19 @@ function runGuarded(act: () => void): void {
 }
 
 export const frames = new Frames((step) => requestAnimationFrame(step));
+
+let known: boolean | null = null;
+
+/** Whether the browser renders without a graphics card. */
+export function isSoftwareRendered(): boolean {
+  return (known ??= detectSoftware());
+}
+
+function detectSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return true;
+  const name = gl.getExtension("WEBGL_debug_renderer_info");
+  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ? String(gl.getParameter(name.UNMASKED_RENDERER_WEBGL)) : "");
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}

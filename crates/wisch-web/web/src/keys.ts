@@ -40,13 +40,18 @@ const isTaken = (target: EventTarget | null, key: string): boolean => {
   return key === " " && /^(BUTTON|A|SUMMARY)$/.test(target.tagName);
 };
 
-export function listenKeys(root: HTMLElement, clock: Clock, recording: Recording, more: (key: string) => boolean): () => void {
+/** An act returns false where it has nothing to do, so that the browser handles the key. */
+type Acts = Record<string, (shift: boolean) => void | boolean>;
+
+/** Listens to the keys of the clock, and to those of `more`, while the focus is in `root`; returns a function that stops this. */
+export function listenKeys(root: HTMLElement, clock: Clock, recording: Recording, more: Acts): () => void {
   views.push(root);
   const step = (by: number) => {
     if (clock.playing) clock.pause();
     clock.seek(clock.time + by);
   };
-  const actions: Record<string, (shift: boolean) => void> = {
+  const acts: Acts = {
+    ...more,
     " ": () => clock.toggle(),
     ArrowLeft: (shift) => step(shift ? -LONG_STEP_S : -STEP_S),
     ArrowRight: (shift) => step(shift ? LONG_STEP_S : STEP_S),
@@ -64,10 +69,8 @@ export function listenKeys(root: HTMLElement, clock: Clock, recording: Recording
     // If no element has the focus, the first view handles the keys.
     const unfocused = target === document.body || target === document.documentElement;
     if (!root.contains(target) && !(unfocused && views[0] === root)) return;
-    const action = actions[event.key];
-    if (action) action(event.shiftKey);
-    else if (!more(event.key.toLowerCase())) return;
-    event.preventDefault();
+    const act = acts[event.key] ?? acts[event.key.toLowerCase()];
+    if (act && act(event.shiftKey) !== false) event.preventDefault();
   };
   document.addEventListener("keydown", down);
   return () => {

@@ -1,5 +1,5 @@
 // Particles, and values of treated places, over time.
-import { lastAtMost, number } from "./columns.ts";
+import { lastAtMost, number, once } from "./columns.ts";
 import type { ParticleStep, TreatmentRecord, ValueStep } from "./recording.ts";
 
 /** Positions are in tenths of a millimetre. */
@@ -7,7 +7,7 @@ export const PER_METRE = 1e4;
 /** Number of steps between two snapshots. */
 const SNAPSHOT_STEPS = 32;
 
-export const metres = (places: readonly unknown[]): Float32Array => Float32Array.from(places, (v) => number(v) / PER_METRE);
+export const metres = once((places: readonly unknown[]): Float32Array => Float32Array.from(places, (v) => number(v) / PER_METRE));
 
 /** Returns the number of particles within a circle [m]. */
 export const countWithin = (places: Float32Array, { place: [x, y], radius }: { place: [number, number]; radius: number }): number =>

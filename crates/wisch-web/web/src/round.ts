@@ -18,6 +18,16 @@ export const LEAST_SAMPLES = 3;
 /** Height over the believed surface above which a force cannot come from wiping [m]. */
 export const HIGH_M = 0.03;
 
+/** What is measured at a time. */
+export interface Measured {
+  /** Positions of the robot's variables; empty without samples. */
+  q: Float64Array;
+  tool: Pose | null;
+  force: [number, number, number] | null;
+  normal: number | null;
+  height: number | null;
+}
+
 /** Who acts on the tool: the surface that it presses on, somebody or something else, or nothing. */
 export type Contact = "contact" | "pushed" | "none";
 type Intervals = readonly (readonly [start: number, end: number])[];
@@ -145,32 +155,20 @@ export class Round {
     return [i, Math.min(1, Math.max(0, (time - from) / (to - from)))];
   }
 
-  /** Writes the positions of all variables at a time into `out`. */
-  positions(time: number, out: Float64Array): Float64Array {
-    if (!this.count) return out;
-    const [i, share] = this.place(time);
-    this.q.forEach((column, v) => { out[v] = interpolate(column[i]!, column[i + 1]!, share); });
-    return out;
-  }
-
   toolAt(time: number): Pose | null {
-    if (!this.count) return null;
-    const [i, share] = this.place(time);
-    return interpolatePose(this.tool, i, share);
+    return this.count ? interpolatePose(this.tool, ...this.place(time)) : null;
   }
 
-  forceAt(time: number): [number, number, number] | null {
-    if (!this.count) return null;
+  /** Returns what is measured at a time, interpolated between samples. */
+  measuredAt(time: number): Measured {
     const [i, share] = this.place(time);
-    const at = (k: number) => interpolate(this.force[3 * i + k]!, this.force[3 * i + 3 + k]!, share);
-    return [at(0), at(1), at(2)];
-  }
-
-  valueAt({ data }: PlotColumn, time: number): number | null {
-    if (!this.count) return null;
-    const [i, share] = this.place(time);
-    const value = interpolate(data[i]!, data[i + 1]!, share);
-    return Number.isFinite(value) ? value : null;
+    const known = this.count > 0;
+    const at = (column: readonly number[], k = 0, width = 1) => interpolate(column[width * i + k]!, column[width * (i + 1) + k]!, share);
+    const finite = ({ data }: PlotColumn) => (Number.isFinite(at(data)) ? at(data) : null);
+    return {
+      q: Float64Array.from(known ? this.q : [], (column) => at(column)), tool: this.toolAt(time),
+      force: known ? [at(this.force, 0, 3), at(this.force, 1, 3), at(this.force, 2, 3)] : null, normal: finite(this.normal), height: finite(this.height),
+    };
   }
 
   /** Planned start of the first stroke, from which on the robot changes the dirt [s]. */
@@ -182,8 +180,7 @@ export class Round {
   growthAt(time: number): number | null {
     const { growth } = this.plan;
     if (!growth.length) return null;
-    let i = growth.length - 1;
-    while (i > 0 && growth[i]![0] > time) i--;
+    const i = Math.max(0, growth.findLastIndex(([start]) => start <= time));
     const [from, to] = [growth[i]!, growth[i + 1]];
     if (!to || time <= from[0] || to[0] <= from[0]) return from[1];
     return interpolate(from[1], to[1], Math.min(1, (time - from[0]) / (to[0] - from[0])));
@@ -191,10 +188,7 @@ export class Round {
 
   /** Returns the index of the phase at a time; -1 before the first. */
   phaseAt(time: number): number {
-    const { phases } = this.plan;
-    let found = -1;
-    phases.forEach((phase, i) => { if (phase.start <= time + 1e-9) found = i; });
-    return found;
+    return this.plan.phases.findLastIndex(({ start }) => start <= time + 1e-9);
   }
 
   /** Intervals in which the tool presses on the surface, and in which something else acts on it; the second ones win. New samples

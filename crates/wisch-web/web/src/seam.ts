@@ -35,7 +35,7 @@ export function makeDensityLegend({ cell }: DensityRecord): HTMLElement {
     const side = 14 * Math.sqrt(Math.min(1, number));
     return svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("rect", { x: 7 - side / 2, y: 7 - side / 2, width: side, height: side, class: `w-density-${shadeOf(number) + 1}` }));
   };
-  return el("li", {}, `estimate: expected particles per ${Math.round(1000 * cell)} mm cell:`, ...[0.1, 0.5, ...SHADES].flatMap((number, i, all) => [square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`]));
+  return el("li", {}, `estimate: expected particles per ${Math.round(1000 * cell)} mm cell:`, ...[0.1, 0.5, ...SHADES].map((number, i, all) => el("span", {}, square(number), `${i === all.length - 1 ? "\u2265\u202f" : ""}${number}`)));
 }
 
 export class Seam {
@@ -63,15 +63,15 @@ export class Seam {
     const [surface, left, right] = [uniqueId(), uniqueId(), uniqueId()];
     const side = (clip: string, ...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${clip})`, class: "w-map" }, ...parts);
     const density = treatment ? null : interpreted!.density ?? null;
-    const map = treatment ? { id: surface, map: svg("g", { "clip-path": `url(#${surface})` },
-      side(left, ...drawCells(treatment, resultValues(treatment, interpreted!.treated)!)), side(right, ...drawCells(treatment, resultValues(treatment, truth!.treated)!))) } : null;
+    const onSurface = (...parts: SVGElement[]) => svg("g", { "clip-path": `url(#${surface})` }, ...parts);
+    const map = treatment ? [side(left, ...drawCells(treatment, resultValues(treatment, interpreted!.treated)!)), side(right, ...drawCells(treatment, resultValues(treatment, truth!.treated)!))] : [];
     const dots = treatment ? [] : [
       ...(density ? [] : [{ mark: "estimated" as const, places: metres(interpreted!.particles) }]), { mark: "actual" as const, places: metres(truth!.particles!) },
     ];
     const rows = compareWithTruth(round).map(([quantity, estimated, actual]) => `${quantity}: ${estimated} estimated, ${actual} true.`);
     const label = `${capitalise(viewOf(round))} at the end of round ${number}: estimated left of the seam, true right of it. ${rows.join(" ")}`;
-    const picture = surfacePicture(round, dots, label, map);
-    if (density) picture.querySelector(".w-dots")?.before(side(left, ...drawDensity(density)));
+    const picture = surfacePicture(round, dots, label, { id: surface, map: onSurface(...map) });
+    if (density) picture.querySelector(".w-dots")?.before(onSurface(side(left, ...drawDensity(density))));
     picture.querySelector(".w-dots-estimated")?.setAttribute("clip-path", `url(#${left})`);
     picture.querySelector(".w-dots-actual")?.setAttribute("clip-path", `url(#${right})`);
     const [x, y, width, height] = picture.getAttribute("viewBox")!.split(" ").map(Number) as [number, number, number, number];

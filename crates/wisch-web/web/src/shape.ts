@@ -100,7 +100,7 @@ const CHECKS: Partial<Record<Piece["piece"], Check>> = {
 };
 
 /** Returns a piece with today's names, if it has those of version 0.2.0. */
-export function fromEarlierVersion(piece: Piece): Piece {
+export function fromEarlierVersion(piece: Piece | null): Piece {
   const given = piece as unknown as { piece?: unknown; considered?: unknown; felt?: unknown } | null;
   if (given?.piece === "judged") {
     const { felt, ...rest } = given;
@@ -110,7 +110,7 @@ export function fromEarlierVersion(piece: Piece): Piece {
     const considered = given.considered.map((plan: { worth?: unknown } | null) => (plan && "worth" in plan ? { score: plan.worth, ...plan } : plan));
     return { ...given, considered } as unknown as Piece;
   }
-  return piece;
+  return piece as Piece;
 }
 
 /** Throws if a piece of a known kind lacks a field. */

@@ -1,21 +1,14 @@
 // A recording: it grows piece by piece and gives access to any of its times.
 import { lastIndex } from "./columns.ts";
-import { metres } from "./particles.ts";
-import { Round, pushOf, type Contact, type Happening } from "./round.ts";
+import { Round, pushOf, type Contact, type Happening, type Measured } from "./round.ts";
 import { checkPiece, fromEarlierVersion } from "./shape.ts";
-import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
+import type { EndedPiece, Head, MeshRecord, ObservedPiece, Piece, Places, Pose, StagePiece, SurfaceShape, TruthPiece } from "./recording.ts";
 
 /** The state at a time of the common clock. */
-export interface Instant {
+export interface Instant extends Measured {
   round: Round;
   /** Time since the start of the round [s]. */
   time: number;
-  /** Positions of the robot's variables; empty without samples. */
-  q: Float64Array;
-  tool: Pose | null;
-  force: [number, number, number] | null;
-  normal: number | null;
-  height: number | null;
   /** Predicted performance, in [0, 1]. */
   performance: number | null;
   contact: Contact;
@@ -35,19 +28,11 @@ export function trueShape(truth: TruthPiece | null, believed: Bend): Bend {
   return shape && shape.kind !== "plane" ? shape : null;
 }
 
-/** Dirt and surface after a round, or before the first. */
-export interface Outcome {
-  /** Time of the common clock from which the outcome holds [s]. */
-  since: number;
-  /** Estimated and true pose of the surface. */
+/** Dirt on a surface, which is estimated or true as the dirt is. */
+interface Deposit {
+  places: Places | null | undefined;
   pose: Pose;
-  actualPose: Pose;
-  /** Believed and true shape of the surface. */
   shape: Bend;
-  actualShape: Bend;
-  estimated: Float32Array | null;
-  actual: Float32Array | null;
-  seen: Float32Array | null;
 }
 
 export class Recording {
@@ -77,19 +62,17 @@ export class Recording {
 
   applyLine(line: string): void {
     if (!line.trim()) return;
-    let piece: unknown;
+    let piece: Piece | null = null;
     try {
-      piece = JSON.parse(line);
+      piece = JSON.parse(line) as Piece;
     } catch {
-      this.broken++;
-      this.notify(null);
-      return;
+      // A line that is no JSON is counted as one without a piece.
     }
-    this.apply(piece as Piece);
+    this.apply(piece);
   }
 
   /** Adds the next piece; counts and skips an invalid one. */
-  apply(piece: Piece): void {
+  apply(piece: Piece | null): void {
     try {
       this.add(piece);
     } catch {
@@ -108,7 +91,7 @@ export class Recording {
 
   /** Whether more pieces may follow. */
   get live(): boolean {
-    return !this.closed && !this.ended;
+    return !this.closed;
   }
 
   onChange(callback: (piece: Piece | null) => void): () => void {
@@ -121,7 +104,7 @@ export class Recording {
     for (const callback of this.callbacks) callback(piece);
   }
 
-  private add(given: Piece): void {
+  private add(given: Piece | null): void {
     const piece = fromEarlierVersion(given);
     checkPiece(piece);
     switch (piece.piece) {
@@ -151,8 +134,7 @@ export class Recording {
       case "truth": this.placeOf(piece).truth = piece; break;
       case "ended":
         this.ended = piece;
-        for (const round of this.rounds) round.over = true;
-        this.layOutRounds();
+        this.close();
         break;
       default: this.unknown++;
     }
@@ -197,30 +179,19 @@ export class Recording {
     const round = this.roundAt(t);
     if (!round) return null;
     const time = Math.min(Math.max(0, t - round.start), round.length);
-    const normal = round.valueAt(round.normal, time);
-    return {
-      round, time, normal,
-      q: round.count ? round.positions(time, new Float64Array(round.q.length)) : new Float64Array(),
-      tool: round.toolAt(time),
-      force: round.forceAt(time),
-      height: round.valueAt(round.height, time),
-      performance: round.growthAt(time),
-      contact: round.contactAt(time),
-      phase: round.phaseAt(time),
-    };
+    return { round, time, ...round.measuredAt(time), performance: round.growthAt(time), contact: round.contactAt(time), phase: round.phaseAt(time) };
   }
 
-  /** Returns the outcome of the last round that had ended at a time, or what was known before the first one. */
-  outcomeAt(t: number): Outcome | null {
+  /** Returns the dirt after the last round that had ended at a time, or what was known before the first one. There must be a round. */
+  outcomeAt(t: number): Record<"estimated" | "actual" | "seen", Deposit> {
     const done = this.rounds.findLast((round) => round.end <= t + 1e-6 && (round.interpreted || round.truth || round.observed));
-    const round = done ?? this.rounds[0];
     const { truth, observed } = done ?? this.before;
-    if (!round || !(done || truth || observed)) return null;
-    const { shape } = round.plan.surface;
-    const pose = done?.interpreted?.found ?? round.plan.surface.pose;
+    const { shape, pose: believed } = (done ?? this.rounds[0]!).plan.surface;
+    const pose = done?.interpreted?.found ?? believed;
     return {
-      since: done?.end ?? 0, pose, actualPose: truth?.surface ?? pose, shape, actualShape: trueShape(truth, shape),
-      estimated: toMetres(done?.interpreted?.particles), actual: toMetres(truth?.particles), seen: toMetres(observed?.detections),
+      estimated: { places: done?.interpreted?.particles, pose, shape },
+      actual: { places: truth?.particles, pose: truth?.surface ?? pose, shape: trueShape(truth, shape) },
+      seen: { places: observed?.detections, pose, shape },
     };
   }
 
@@ -268,5 +239,3 @@ export class Recording {
     return [...new Set(stops)].filter((t) => t <= this.duration).sort((a, b) => a - b);
   }
 }
-
-const toMetres = (list: number[] | null | undefined): Float32Array | null => (list ? metres(list) : null);

@@ -7,7 +7,7 @@ import { makeMapFigures } from "./maps.ts";
 import { metres } from "./particles.ts";
 import { makeFigure, surfacePicture, viewOf, type Dots } from "./picture.ts";
 import { Seam, makeDensityLegend } from "./seam.ts";
-import type { IncidentRecord } from "./recording.ts";
+import type { IncidentRecord, InterpretedPiece, Places } from "./recording.ts";
 import { namePushes, type Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 import { isTreated } from "./treated.ts";
@@ -18,8 +18,11 @@ const NAMES: Record<string, string> = {
   interval: "90\u202f% interval", "by-touch": "from touch only", target: "target", goal: "goal area",
 };
 
-const makeLegend = (names: string[]) =>
-  el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name === "sample" ? "estimated" : name), NAMES[name]!)));
+const makeLegend = (names: string[], labels = NAMES) =>
+  el("ul", { class: "w-legend" }, ...names.map((name) => el("li", {}, mark(name === "sample" ? "estimated" : name), labels[name]!)));
+
+/** Keeps numbers and their percent signs on one line. */
+const tiePercents = (text: string): string => text.replaceAll(/(?<=\d) %/g, "\u202f%");
 
 /** Maximum number of shown incidents. */
 const MOST_INCIDENTS = 6;
@@ -49,8 +52,9 @@ export function findIncidents(round: Round): IncidentRecord[] {
 
 export class Story {
   readonly element: HTMLElement;
-  private readonly title = el("h1", {});
-  private readonly badge = el("p", { class: "w-badge" });
+  /** Title and result, for the heads of pages. */
+  readonly title = el("h1", {});
+  readonly badge = el("p", { class: "w-badge" });
   private readonly pictures = el("div", { class: "w-pictures" });
   private readonly texts = el("div", { class: "w-texts" });
   private readonly seam = new Seam();
@@ -59,10 +63,10 @@ export class Story {
   private readonly incidents = el("section", { class: "w-incidents", "aria-label": "Incidents" });
   readonly destroy: () => void;
 
-  /** `seek` shows a time of the common clock. */
+  /** `seek` shows a time of the common clock. `corner`: an element beside title and result, which are elsewhere without it. */
   constructor(private readonly recording: Recording, private readonly seek: (time: number) => void, corner?: HTMLElement) {
     this.element = el("header", { class: "w-story" },
-      el("div", { class: "w-top" }, this.title, this.badge, corner),
+      corner && el("div", { class: "w-top" }, this.title, this.badge, corner),
       el("div", { class: "w-told" }, this.pictures, this.texts, this.incidents));
     this.destroy = onNews(recording, () => this.show());
     this.show();
@@ -107,18 +111,15 @@ export class Story {
   private makeCard(round: Round, { time, title, evidence, effect, advice }: IncidentRecord): HTMLElement {
     const when = `Round ${round.number}${time === null ? "" : ` \u00b7 ${clockText(round.start + time)}`}`;
     return el("li", { "data-round": round.number },
-      el("button", { type: "button", class: "w-when", title: "Show this time", click: () => this.seek(round.start + (time ?? 0)) }, when),
+      el("button", { type: "button", class: "w-when w-link", title: "Show this time", click: () => this.seek(round.start + (time ?? 0)) }, when),
       el("h3", {}, title),
-      ...[evidence, effect].filter((text) => text).map((text) => el("p", {}, text)),
+      ...[evidence, effect].filter((text) => text).map((text) => el("p", {}, tiePercents(text))),
       advice ? el("p", { class: "w-advice" }, advice) : null);
   }
 
   private makePart(title: string, text: string, more: Node | null = null): Node[] {
-    if (!text && !more) return [];
-    const parts: Node[] = [el("h2", {}, title)];
-    if (text) parts.push(el("p", {}, text));
-    if (more) parts.push(more);
-    return parts;
+    const parts = [...(text ? [el("p", {}, tiePercents(text))] : []), ...(more ? [more] : [])];
+    return parts.length ? [el("h2", {}, title), ...parts] : [];
   }
 
   private drawPictures(): void {
@@ -133,35 +134,22 @@ export class Story {
     this.pictures.replaceChildren(...(!first ? [] : isTreated(first) ? makeMapFigures(this.recording, seam) : this.makeDirtFigures(first, last, seam)));
   }
 
+  /** Draws the dirt before the first round, and after the last one or as predicted, with a legend. */
   private makeDirtFigures(first: Round, last: Round | null, seam: HTMLElement | null): Element[] {
-    const { observed } = this.recording.before;
-    const goal = first.plan.goal?.kind === "collected" ? ["goal"] : [];
-    const before: Dots[] = [{ mark: "believed", places: first.particles.first }];
-    if (observed) before.push({ mark: "seen", places: metres(observed.detections) });
-    const bent = first.plan.surface.shape;
+    const { surface, kind, goal } = first.plan;
+    const dots = (mark: Dots["mark"], list: Places | null | undefined): Dots[] => (list ? [{ mark, places: metres(list) }] : []);
     const figure = (title: string, round: Round, layers: Dots[]) =>
-      makeFigure(surfacePicture(round, layers, `${title}: ${viewOf(round)} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`), bent ? `${title}, surface unrolled` : title);
-    const names = (...layers: Dots[]) => [...new Set(layers.map(({ mark }) => mark as string)), ...goal];
-    if (!last) {
-      if (first.plan.kind !== "planned") return [figure("Believed before", first, before), makeLegend(names(...before))];
-      const predicted = [{ mark: "believed" as const, places: first.particles.last }];
-      return [figure("Before", first, before), this.drawArrow(), figure("Predicted", first, predicted), makeLegend(names(...before, ...predicted))];
-    }
-    if (seam) {
-      const density = last.interpreted?.density;
-      const legend = makeLegend([...names(...before), ...(density ? [] : ["sample"]), "actual"]);
-      if (density) legend.append(makeDensityLegend(density));
-      return [figure("Before", first, before), this.drawArrow(), seam, legend];
-    }
-    const after: Dots[] = [];
-    if (last.interpreted) after.push({ mark: "estimated", places: metres(last.interpreted.particles) });
-    if (last.truth?.particles) after.push({ mark: "actual", places: metres(last.truth.particles) });
-    if (last.observed) after.push({ mark: "seen", places: metres(last.observed.detections) });
-    return [figure("Before", first, before), this.drawArrow(), figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after), makeLegend(names(...before, ...after))];
-  }
-
-  private drawArrow(): SVGElement {
-    return svg("svg", { viewBox: "0 0 24 24", class: "w-arrow", "aria-hidden": "true" }, svg("path", { d: "M3 12h16M13 6l6 6-6 6" }));
+      makeFigure(surfacePicture(round, layers, `${title}: ${viewOf(round)} with ${layers.map(({ places, mark }) => `${places.length / 2} particles ${NAMES[mark]}`).join(", ")}`), surface.shape ? `${title}, surface unrolled` : title);
+    const before: Dots[] = [{ mark: "believed", places: first.particles.first }, ...dots("seen", this.recording.before.observed?.detections)];
+    const after: Dots[] = last ? [...dots("estimated", last.interpreted?.particles), ...dots("actual", last.truth?.particles), ...dots("seen", last.observed?.detections)]
+      : kind === "planned" ? [{ mark: "believed", places: first.particles.last }] : [];
+    const second = seam ?? (last ? figure(`After ${last.number} ${last.number === 1 ? "round" : "rounds"}`, last, after) : after.length ? figure("Predicted", first, after) : null);
+    const density = seam && last?.interpreted?.density;
+    const later = !seam ? after.map(({ mark }) => mark) : density ? ["actual"] : ["sample", "actual"];
+    const legend = makeLegend([...new Set([...before.map(({ mark }) => mark), ...later]), ...(goal?.kind === "collected" ? ["goal"] : [])]);
+    if (density) legend.append(makeDensityLegend(density));
+    const arrow = svg("svg", { viewBox: "0 0 24 24", class: "w-arrow", "aria-hidden": "true" }, svg("path", { d: "M3 12h16M13 6l6 6-6 6" }));
+    return [figure(second ? "Before" : "Believed before", first, before), ...(second ? [arrow, second] : []), legend];
   }
 
   /** Draws the estimate of each finished round as a bar, with the target. */
@@ -170,6 +158,8 @@ export class Story {
     const interpreted = rounds.filter((round) => round.interpreted).slice(-8);
     if (!interpreted.length) return null;
     const target = head?.task?.target ?? null;
+    // Without a camera both estimates are one.
+    const differs = ({ estimate, by_touch }: InterpretedPiece) => by_touch.low !== estimate.low || by_touch.high !== estimate.high;
     const rows = interpreted.map(({ number, interpreted, truth }) => {
       const { estimate, by_touch } = interpreted!;
       const truly = truth?.performance ?? null;
@@ -180,7 +170,7 @@ export class Story {
       return el("div", { class: "w-bar" }, el("span", {}, `Round ${number}`),
         svg("svg", { role: "img", "aria-label": label },
           svg("rect", { x: x(0), y: 8, width: "97%", height: 10, rx: 5, fill: "var(--lane)" }),
-          svg("rect", { x: x(by_touch.low), y: 21.5, width: width(by_touch.low, by_touch.high), height: 2, fill: "var(--by-touch)" }),
+          differs(interpreted!) && svg("rect", { x: x(by_touch.low), y: 21.5, width: width(by_touch.low, by_touch.high), height: 2, fill: "var(--by-touch)" }),
           svg("rect", { x: x(estimate.low), y: 6, width: width(estimate.low, estimate.high), height: 14, rx: 4, fill: "var(--estimated)", "fill-opacity": 0.35, stroke: "var(--estimated)", "stroke-width": 1.6 }),
           upright(estimate.mean, 4, 22, { stroke: "var(--estimated)", "stroke-width": 3 }),
           target !== null && upright(target, 0, 26, { stroke: "var(--target)", "stroke-width": 2, "stroke-dasharray": "4 3" }),
@@ -189,9 +179,8 @@ export class Story {
         el("b", {}, percent(estimate.mean)));
     });
     const anyTruth = interpreted.some(({ truth }) => typeof truth?.performance === "number");
-    const list = makeLegend(["interval", "by-touch", ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])]);
-    for (const item of list.children) if (item.textContent === NAMES.actual) item.lastChild!.textContent = "true";
-    if (target !== null) list.lastElementChild!.lastChild!.textContent = `target ${percent(target)}`;
-    return el("div", { class: "w-bars" }, ...rows, list);
+    const labels = { ...NAMES, actual: "true", target: `target ${percent(target ?? NaN)}` };
+    const anyTouch = interpreted.some((round) => differs(round.interpreted!));
+    return el("div", { class: "w-bars" }, ...rows, makeLegend(["interval", ...(anyTouch ? ["by-touch"] : []), ...(anyTruth ? ["actual"] : []), ...(target === null ? [] : ["target"])], labels));
   }
 }

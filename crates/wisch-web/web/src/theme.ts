@@ -9,10 +9,10 @@ let printing = false;
 /** The user's choice, which overrides the system's preference. */
 let chosen: Theme | null = null;
 
-const loadTheme = (): Theme | null => {
+/** Uses the local storage, which browsers may forbid to a page from a file. */
+const withStorage = <Result>(act: (storage: Storage) => Result): Result | null => {
   try {
-    const theme = localStorage.getItem(KEY);
-    return theme === "light" || theme === "dark" ? theme : null;
+    return act(localStorage);
   } catch {
     return null;
   }
@@ -26,11 +26,7 @@ export function theme(): Theme {
 
 export function setTheme(wanted: Theme): void {
   chosen = wanted;
-  try {
-    localStorage.setItem(KEY, wanted);
-  } catch {
-    // Browsers may forbid local storage to a page from a file.
-  }
+  withStorage((storage) => storage.setItem(KEY, wanted));
   notify();
 }
 
@@ -48,7 +44,7 @@ function notify(): void {
 
 /** Starts the theme; must be called once before the first drawing. */
 export function startTheme(): void {
-  chosen = loadTheme();
+  chosen = (["light", "dark"] as const).find((theme) => theme === withStorage((storage) => storage.getItem(KEY))) ?? null;
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", notify);
   const print = (now: boolean) => {
     if (printing === now) return;

@@ -1,10 +1,9 @@
 // One timeline for all rounds, below the scene. Its cursor is the clock.
 import { clockText, el, estimateText, fixed, percent, phaseText, say, uniqueId } from "./dom.ts";
-import { frames, throttle } from "./frames.ts";
-import { isSoftwareRendered } from "./software.ts";
+import { frames, isSoftwareRendered, throttle } from "./frames.ts";
 import { endText, heightText } from "./words.ts";
-import { colour, isPrinting, onTheme } from "./theme.ts";
-import { drawFitted, Frame, PLOTS, setText, type LaneName, type Pen } from "./timeline/frame.ts";
+import { isPrinting, onTheme } from "./theme.ts";
+import { drawText, Frame, type Lane, type LaneName, type Pen } from "./timeline/frame.ts";
 import { drawAxis, drawContact, drawEvents, drawPhases, drawRounds } from "./timeline/lanes.ts";
 import { drawHighlights, drawSelection, type Interval } from "./timeline/highlights.ts";
 import { drawMeasured, drawPerformance } from "./timeline/plots.ts";
@@ -13,10 +12,17 @@ import type { Clock } from "./clock.ts";
 import { HIGH_M, type Round } from "./round.ts";
 import type { Recording } from "./store.ts";
 
-const LANES: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force", "height", "performance"];
-const COMPACT: LaneName[] = ["axis", "rounds", "phases", "contact", "events", "force"];
 /** Range of drawn heights [mm]. */
 const HEIGHTS_MM: [number, number] = [-20, 80];
+/** What draws each lane, from top to bottom. */
+const DRAWN: Record<LaneName, (pen: Pen, frame: Frame, lane: Lane, recording: Recording) => void> = {
+  axis: drawAxis, rounds: drawRounds, phases: drawPhases, contact: drawContact, events: drawEvents,
+  force: (...on) => drawMeasured(...on, (round) => round.normal, { name: "force", unit: 1, least: 5, target: (round) => round.target }),
+  height: (...on) => drawMeasured(...on, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }),
+  performance: drawPerformance,
+};
+const LANES = Object.keys(DRAWN) as LaneName[];
+const COMPACT = LANES.slice(0, -2);
 /** Width of the printed timeline [pixels]. */
 const PAPER_PX = 700;
 /** Below this height of the view, plots are lower [pixels]. */
@@ -128,11 +134,9 @@ export class Timeline {
     this.frame.layOut(width, isPrinting() || (this.element.closest(".w-view")?.clientHeight ?? TIGHT_PX) < TIGHT_PX);
     const magnified = (this.element as HTMLElement & { currentCSSZoom?: number }).currentCSSZoom ?? 1;
     const ratio = isPrinting() ? 3 : Math.min((devicePixelRatio || 1) * magnified, 2);
-    this.base.width = Math.round(width * ratio);
-    this.base.height = Math.round(this.frame.height * ratio);
-    this.base.style.width = `${width}px`;
-    this.base.style.height = `${this.frame.height}px`;
-    this.element.style.height = `${this.frame.height}px`;
+    Object.assign(this.base, { width: Math.round(width * ratio), height: Math.round(this.frame.height * ratio) });
+    Object.assign(this.base.style, { width: `${width}px`, height: `${this.frame.height}px` });
+    this.element.style.height = this.base.style.height;
     this.stale = true;
     frames.drop(this.moved);
     this.draw();
@@ -201,21 +205,10 @@ export class Timeline {
     const { frame, recording } = this;
     const pen = this.pen();
     for (const lane of frame.lanes) {
-      switch (lane.name) {
-        case "axis": drawAxis(pen, frame, lane); break;
-        case "rounds": drawRounds(pen, frame, lane, recording); break;
-        case "phases": drawPhases(pen, frame, lane, recording); break;
-        case "contact": drawContact(pen, frame, lane, recording); break;
-        case "events": drawEvents(pen, frame, lane, recording); break;
-        case "force": drawMeasured(pen, frame, lane, recording, (round) => round.normal, { name: "force", unit: 1, least: 5, target: (round) => round.target }); break;
-        case "height": drawMeasured(pen, frame, lane, recording, (round) => round.height, { name: "height", unit: 1000, least: 10, bounds: HEIGHTS_MM }); break;
-        case "performance": drawPerformance(pen, frame, lane, recording); break;
-      }
-      setText(pen);
-      pen.fillStyle = colour("quiet");
-      const plot = PLOTS.has(lane.name);
-      if (!frame.narrow) lane.label.split("\n").forEach((line, i) => drawFitted(pen, line, 2, lane.top + (plot ? 8 + 13 * i : lane.height / 2), frame.left - (plot ? 26 : 6)));
-      else if (plot) pen.fillText(lane.label, 2, lane.top - 8);
+      const { name, label, plot, top, height } = lane;
+      DRAWN[name](pen, frame, lane, recording);
+      if (!frame.narrow) label.split("\n").forEach((line, i) => drawText(pen, line, 2, top + (plot ? 8 + 13 * i : height / 2), { room: frame.left - (plot ? 26 : 6) }));
+      else if (plot) drawText(pen, label, 2, top - 8);
     }
     drawHighlights(pen, frame, this.highlights);
     const force = frame.lane("force");

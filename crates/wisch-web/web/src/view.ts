@@ -1,50 +1,20 @@
 // A view of a recording: scene, details, clock and timeline.
-import { Clock } from "./clock.ts";
-import { el } from "./dom.ts";
+import { Clock, SPEEDS } from "./clock.ts";
+import { clockText, el, say } from "./dom.ts";
 import { makeFilm } from "./film.ts";
-import { frames, throttle } from "./frames.ts";
-import { listenKeys } from "./keys.ts";
+import { frames, isSoftwareRendered, throttle } from "./frames.ts";
+import { icon } from "./icons.ts";
+import { KEYS, listenKeys, nextStop } from "./keys.ts";
 import { ScenePanel } from "./scene/panel.ts";
-import { NOTHING_SHOWN, type Shown, type Stage } from "./scene/stage.ts";
-import { isSoftwareRendered } from "./software.ts";
+import { NOTHING_SHOWN, type Shown } from "./scene/stage.ts";
 import { Timeline } from "./timeline.ts";
-import { makeTransport } from "./transport.ts";
 import { Words } from "./words.ts";
 import type { Recording } from "./store.ts";
 
 /** Interval between updates of the texts without a graphics card, where they are slow [ms]. */
 const TEXT_MS = 150;
 
-export interface ViewOptions {
-  /** Compact layout: no details, fewer lanes. */
-  compact?: boolean;
-  /** Clock shared with other views, which then show the same time. */
-  clock?: Clock;
-}
-
-export interface View {
-  readonly element: HTMLElement;
-  readonly clock: Clock;
-  seek(time: number): void;
-  /** Shows data of a query instead of those before; without an argument, none. */
-  show(data?: Partial<Shown>): void;
-  /** The scene; null where the browser cannot draw it. */
-  readonly stage: Stage | null;
-  destroy(): void;
-}
-
-/** Listens to the keys of the clock, of the camera and of the selection. Returns a function that ends this. */
-function listenLooks(element: HTMLElement, clock: Clock, recording: Recording, panel: ScenePanel, timeline: Timeline): () => void {
-  return listenKeys(element, clock, recording, (key) => {
-    if (key === "f") panel.look("all");
-    else if (key === "v") panel.look("above");
-    else if (key === "t") panel.toggleFollow();
-    else if (key === "l" && clock.live) clock.follow();
-    else if (key === "i" || key === "o") timeline.selectTo(key === "o");
-    else if (key !== "escape" || !(closeMenu(element) || timeline.select(null))) return false;
-    return true;
-  });
-}
+export type View = ReturnType<typeof mountView>;
 
 /** Closes the open menu beside the clock. Returns whether one was open. */
 function closeMenu(view: HTMLElement): boolean {
@@ -55,7 +25,40 @@ function closeMenu(view: HTMLElement): boolean {
   return true;
 }
 
-export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: ViewOptions = {}): View {
+/** Returns the buttons. `more`: an element at their end. */
+function makeTransport(clock: Clock, recording: Recording, more: HTMLElement | null): { element: HTMLElement; show(): void } {
+  const play = el("button", { class: "w-button w-play", type: "button", click: () => clock.toggle() });
+  const stop = (way: 1 | -1, label: string, key: string) =>
+    el("button", { class: "w-button w-icon", type: "button", "aria-label": label, title: `${label}  ${key}`, click: () => clock.seek(nextStop(recording.stops, clock.time, way)) }, icon(way < 0 ? "before" : "after"));
+  const live = el("button", { class: "w-button w-live", type: "button", title: "Follow the live run  L", click: () => clock.follow() }, "LIVE");
+  const time = el("output", { class: "w-time", "aria-live": "off" });
+  const speed = el("select", { class: "w-select", "aria-label": "Playback speed", change: () => clock.setSpeed(Number(speed.value)) },
+    ...SPEEDS.map((value) => el("option", { value }, `${value}\u00d7`)));
+  const help = el("details", { class: "w-keys", name: "w-menu" }, el("summary", {}, "Keys"),
+    el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])));
+  let playing: boolean | null = null;
+  const show = () => {
+    const runs = clock.playing || clock.following;
+    if (runs !== playing) {
+      playing = runs;
+      play.replaceChildren(icon(runs ? "pause" : "play"), el("span", {}, runs ? "Pause" : "Play"));
+      play.setAttribute("aria-label", runs ? "Pause" : "Play");
+    }
+    live.hidden = !clock.live;
+    live.setAttribute("aria-pressed", String(clock.following));
+    say(time, `${clockText(clock.time)} / ${clockText(clock.duration)}${clock.isLate ? " (slower than real time)" : ""}`);
+    if (Number(speed.value) !== clock.speed) speed.value = String(clock.speed);
+  };
+  show();
+  return {
+    element: el("div", { class: "w-transport", role: "group", "aria-label": "Playback" },
+      play, stop(-1, "Previous event or stroke", "["), stop(1, "Next event or stroke", "]"), live, time, speed, more, help),
+    show,
+  };
+}
+
+/** Shows a recording. A compact view has no details, and fewer lanes. Views that share a clock show the same time. */
+export function mountView(root: HTMLElement, recording: Recording, { compact = false, clock: shared }: { compact?: boolean; clock?: Clock } = {}) {
   const clock = shared ?? new Clock();
   const leave = clock.join(recording);
   const panel = new ScenePanel(recording, compact, (time) => {
@@ -87,20 +90,25 @@ export function mountView(root: HTMLElement, recording: Recording, { compact = f
       clock.onGrowth();
       ask();
     }),
-    listenLooks(element, clock, recording, panel, timeline),
+    listenKeys(element, clock, recording, {
+      f: () => panel.look("all"), v: () => panel.look("above"), t: () => panel.toggleFollow(), l: () => clock.live && clock.follow(),
+      i: () => timeline.selectTo(false), o: () => timeline.selectTo(true), Escape: () => closeMenu(element) || timeline.select(null),
+    }),
   ];
   if (recording.live) clock.follow();
   show();
 
-  const showData = (data: Partial<Shown> = {}) => {
-    const shown = { ...NOTHING_SHOWN, ...data };
-    timeline.highlight(shown.intervals);
-    panel.showData(shown);
-  };
   return {
-    element, clock, show: showData,
-    seek: (time) => clock.seek(time),
+    element, clock,
+    /** The scene; null where the browser cannot draw it. */
     stage: panel.stage,
+    seek: (time: number) => clock.seek(time),
+    /** Shows data of a query instead of those before; without an argument, none. */
+    show: (data: Partial<Shown> = {}) => {
+      const shown = { ...NOTHING_SHOWN, ...data };
+      timeline.highlight(shown.intervals);
+      panel.showData(shown);
+    },
     destroy: () => {
       frames.drop(show);
       texts.stop();

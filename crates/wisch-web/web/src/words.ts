@@ -2,7 +2,7 @@
 import { DASH, capitalise, clockText, el, estimateText, fixed, formatKnown, hasChanged, makeList, percent, phaseText, say } from "./dom.ts";
 import { isOver } from "./scene/bend.ts";
 import type { Clock } from "./clock.ts";
-import type { Fact } from "./recording.ts";
+import type { EndedPiece, Fact } from "./recording.ts";
 import type { Round } from "./round.ts";
 import type { Instant, Recording } from "./store.ts";
 import { Why, type Choice } from "./why.ts";
@@ -13,9 +13,18 @@ const makeSection = (title: string, open: boolean, ...children: (Node | string)[
 /** Verdicts that are neither success nor failure; recordings of version 0.2.0 have the last two. */
 const UNKNOWN = ["performance unknown", "undecided by touch", "cannot be told", "unknowable by touch"];
 
-/** State of the goal, for its colour. A null verdict is that of a stopped run. */
-export const goalState = (met: boolean, verdict: string | null): "met" | "unmet" | "unknown" =>
-  met ? "met" : UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet";
+/** Verdict on a round that is no ending of a run. */
+const AGAIN = "wipe again";
+
+/** How a run ended: whether its goal is met, the verdict on its last round, which is null for a stopped run, and in a few words, where
+ * they are known, how it ended. */
+export type Ending = Pick<EndedPiece, "met" | "verdict" | "badge">;
+
+/** Returns the state of the goal, for its colour, and words for the end of a run. List, first screen and report have the same ones. */
+export const endOf = ({ met, verdict, badge }: Ending): { state: "met" | "unmet" | "unknown"; text: string } => ({
+  state: met ? "met" : UNKNOWN.includes(badge ?? "") || UNKNOWN.includes(verdict ?? "") ? "unknown" : "unmet",
+  text: badge ?? (verdict === AGAIN ? "not met" : verdict) ?? (met ? "goal met" : "stopped"),
+});
 
 export type State = "live" | "planned" | "logged" | "broken" | "met" | "unmet" | "unknown";
 
@@ -26,8 +35,7 @@ export function stateOf({ rounds, ended, live }: Recording): { state: State; tex
   if (isAll("planned")) return { state: "planned", text: "planned only" };
   if (isAll("logged")) return { state: "logged", text: "from the log" };
   if (!ended) return { state: "broken", text: "ended early" };
-  const state = goalState(ended.met, UNKNOWN.includes(ended.badge ?? "") ? ended.badge! : ended.verdict);
-  return { state, text: ended.badge ?? ended.verdict ?? (ended.met ? "goal met" : "stopped") };
+  return endOf(ended);
 }
 
 /** Returns the result of a round in a few words: of the last one with a result, how the run ended. */

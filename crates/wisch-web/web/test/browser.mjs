@@ -16,6 +16,16 @@ const browser = await open();
 const figures = [];
 const note = (name, value, unit, wanted) => figures.push([name, `${value} ${unit}`, `wanted ${wanted}`]);
 
+/** Notes in the page when the scene of its first view is first drawn [ms after the page opens]. */
+const watchFirstFrame = () => {
+  const look = () => {
+    const { view, stage } = window.wisch ?? {};
+    if ((view ?? stage?.shown?.[0]?.view)?.stage?.drawn > 0) window.firstFrame = performance.now();
+    else requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+};
+
 /** Opens the report of a recording. */
 const show = (name, recording, options) => openPage(name, reportPage(recording), options);
 
@@ -29,13 +39,7 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", bef
   page.on("pageerror", (error) => complaints.push(error.stack));
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`asks for ${request.url()}`); });
   await page.addInitScript(before);
-  await page.addInitScript(() => {
-    const look = () => {
-      if (window.wisch?.view?.stage?.drawn > 0) window.firstFrame = performance.now();
-      else requestAnimationFrame(look);
-    };
-    requestAnimationFrame(look);
-  });
+  await page.addInitScript(watchFirstFrame);
   await page.goto(pathToFileURL(file).href + hash);
   return { page, complaints, picture: (shot) => pictures && page.screenshot({ path: join(pictures, `${shot}.png`) }) };
 }
@@ -54,6 +58,7 @@ async function openStudio(hash, overview, recordings, answers, viewport = { widt
     const words = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
     return route.fulfill({ json: path === "api/ask" ? answers : path === "api/vocabulary" ? words : overview });
   });
+  await page.addInitScript(watchFirstFrame);
   await page.goto(`http://studio.invalid/${hash}`);
   return { page, complaints };
 }
@@ -945,9 +950,22 @@ const cases = {
     await page.close();
   },
 
+  async "the studio draws the first frame of an episode soon"() {
+    const id = "20261122-010000-abcd";
+    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id)]), { [id]: whole }, null);
+    await page.waitForFunction(() => window.firstFrame);
+    const first = await page.evaluate(() => window.firstFrame);
+    note("studio: first frame", Math.round(first), "ms after the page opens", "<= 1500");
+    assert.ok(first < 7500);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
   async "the studio is magnified on a screen of 3840 pixels, and its list states why a goal was missed"() {
     const id = "20261122-010000-abcd";
-    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { met: false, verdict: "no progress", events: [{ class: "HumanCollision", start: 0.2, end: 0.3, count: 2 }] })]), { [id]: whole }, null, { width: 3840, height: 2160 });
+    const ending = { met: false, verdict: "wipe again", badge: "undecided by touch" };
+    const recording = lines(parts.map((one) => (one.piece === "ended" ? { ...one, ...ending } : one)));
+    const { page, complaints } = await openStudio(`#episode=${id}`, overviewOf([listed(id, { ...ending, events: [{ class: "HumanCollision", start: 0.2, end: 0.3, count: 2 }] })]), { [id]: recording }, null, { width: 3840, height: 2160 });
     await page.waitForFunction(() => window.wisch?.stage.shown[0]?.view.stage.drawn > 0);
     const [title, view, side] = await Promise.all([".s-title", ".w-view", ".s-side"].map((part) => page.locator(part).first().boundingBox()));
     assert.ok(title.height > 25, `a line of text is ${title.height} pixels high`);
@@ -959,7 +977,9 @@ const cases = {
     await page.mouse.click(box.x + zoom * 112 + 0.5 * (box.width - zoom * (112 + 22)), box.y + 60);
     const { duration, at } = await page.evaluate(() => ({ duration: wisch.recording?.duration ?? wisch.stage.shown[0].recording.duration, at: wisch.stage.time }));
     near(at, 0.5 * duration, 0.1);
-    assert.match(await page.locator(".s-list .s-what").innerText(), /2\u00a0\u00d7\u00a0push or collision \u00b7 no progress$/);
+    assert.match(await page.locator(".s-list .s-what").innerText(), /2\u00a0\u00d7\u00a0push or collision \u00b7 undecided by touch$/);
+    const badges = await page.locator(".s-list .s-badge, .s-head .w-badge").evaluateAll((list) => list.map(({ dataset, title, textContent }) => [dataset.state, title || textContent]));
+    assert.deepEqual(badges, [["unknown", "undecided by touch"], ["unknown", "undecided by touch"]], "list and first screen state the same ending");
     assert.equal(await page.locator(".s-strip .s-time title").textContent(), "2 \u00d7 push or collision, 0.2 s to 0.3 s");
     if (pictures) await page.screenshot({ path: join(pictures, "studio-large.png") });
     assert.deepEqual(complaints, []);

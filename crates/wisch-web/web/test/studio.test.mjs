@@ -121,6 +121,13 @@ test("an undecidable episode is neither met nor missed", () => {
   assert.equal(state(false, null, null), "none");
 });
 
+test("the list has a run's ending, not the verdict on its last round", async () => {
+  await open("");
+  const made = badge({ met: false, verdict: "wipe again", badge: "undecided by touch", performance: 0.9 });
+  assert.deepEqual(["data-state", "title"].map((name) => made.attributes.get(name)), ["unknown", "undecided by touch"]);
+  assert.equal(badge({ met: false, verdict: "wipe again", performance: 0.9 }).attributes.get("title"), "not met");
+});
+
 test("a table of answers names individuals as the timeline does, with units in its head", async () => {
   await open("");
   const mention = { episode: "20261122-010000-abcd", task: "board", begun: 1795777372, class: "Stroke", interval: [0, 1] };

@@ -1,10 +1,9 @@
 // Lifts what lies in the chart of a surface onto a curved surface.
-import { BufferAttribute, BufferGeometry, Vector3 } from "three";
+import { Box2, BufferGeometry, Float32BufferAttribute, Vector2, Vector3 } from "three";
+import { once } from "../columns.ts";
 import { metres } from "../particles.ts";
 import { matrix } from "./solids.ts";
-import { liftOntoCone, normalOfCone, pastRollOnCone, rollOnCone } from "./cone.ts";
-import { sheetOf } from "./sheet.ts";
-import type { ConeShape, CylinderShape, RoundPiece } from "../recording.ts";
+import type { ConeShape, CylinderShape, MeshShape, RoundPiece } from "../recording.ts";
 import type { Bend } from "../store.ts";
 
 /** x and y in the chart, and the height over it; or x, y, z in the frame of the surface [m]. */
@@ -163,9 +162,171 @@ export function liftGeometry(shape: Bend, flat: BufferGeometry): BufferGeometry 
     const corner = (k: number): Corner => [array[3 * (i + k)]!, array[3 * (i + k) + 1]!, array[3 * (i + k) + 2]!];
     divide([corner(0), corner(1), corner(2)], add);
   }
-  const bent = new BufferGeometry();
-  bent.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
+  const bent = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(positions, 3));
   bent.computeVertexNormals();
   flat.dispose();
   return bent;
 }
+
+// A circular cone onto which the chart is rolled: in the chart, a sector about the apex.
+
+/** Directions of a cone in the chart and in space. */
+interface Axes {
+  along: readonly [number, number];
+  /** Cosine of the half angle, and its sine with the sign of the radius. */
+  cosine: number;
+  sine: number;
+  /** Distance of the chart's origin from the apex [m]. */
+  slant: number;
+  /** The direction in which the axis widens, the direction from it at the origin, and the direction across both. */
+  axis: Vector3;
+  radial: Vector3;
+  across: Vector3;
+}
+
+const axesOf = once((cone: ConeShape): Axes => {
+  const [x, y] = [Math.cos(cone.axis_rad), Math.sin(cone.axis_rad)];
+  const [cosine, sine] = [Math.cos(cone.half_angle_rad), Math.sin(cone.half_angle_rad) * Math.sign(cone.radius_m)];
+  return {
+    along: [x, y], cosine, sine, slant: cone.radius_m / sine,
+    axis: new Vector3(cosine * x, cosine * y, -sine), radial: new Vector3(sine * x, sine * y, cosine), across: new Vector3(-y, x, 0),
+  };
+});
+
+/** Returns the angle about the axis from the chart's origin to a place [rad]. */
+function rollOnCone(cone: ConeShape, x: number, y: number): number {
+  const { along, slant, sine } = axesOf(cone);
+  return Math.atan2(along[0] * y - along[1] * x, slant + along[0] * x + along[1] * y) / sine;
+}
+
+/** Returns the point at a height over a place, in the frame of the surface [m]. */
+function liftOntoCone(cone: ConeShape, x: number, y: number, height: number): [number, number, number] {
+  const { along, slant, sine, cosine, axis, radial, across } = axesOf(cone);
+  const [v, u] = [along[0] * x + along[1] * y, along[0] * y - along[1] * x];
+  // How much farther from the apex than the origin.
+  const beyond = (v * (2 * slant + v) + u * u) / (Math.hypot(slant + v, u) + slant);
+  const angle = Math.atan2(u, slant + v) / sine;
+  const round = across.clone().multiplyScalar(Math.sin(angle)).addScaledVector(radial, -2 * Math.sin(angle / 2) ** 2);
+  const out = round.clone().add(radial);
+  return round.multiplyScalar(cone.radius_m)
+    .addScaledVector(axis, cosine * beyond).addScaledVector(out, sine * beyond)
+    .addScaledVector(out, cosine * height).addScaledVector(axis, -sine * height)
+    .toArray();
+}
+
+/** Returns the normal under a point in the frame of the surface. */
+function normalOfCone(cone: ConeShape, point: Vector3): Vector3 {
+  const { sine, cosine, axis, radial, across } = axesOf(cone);
+  const [up, side] = [radial.dot(point) + cone.radius_m, across.dot(point)];
+  const out = radial.clone().multiplyScalar(up).addScaledVector(across, side).multiplyScalar(Math.sign(cone.radius_m)).normalize();
+  return out.multiplyScalar(cosine).addScaledVector(axis, -sine);
+}
+
+/** Returns a linear function of the place that is positive where the angle about the axis is larger than `roll` [rad]. */
+function pastRollOnCone(cone: ConeShape, roll: number): (x: number, y: number) => number {
+  const { along, slant, sine } = axesOf(cone);
+  const [s, c] = [Math.sin(roll * sine), Math.cos(roll * sine)];
+  return (x, y) => Math.sign(sine) * (c * (along[0] * y - along[1] * x) - s * (slant + along[0] * x + along[1] * y));
+}
+
+// A mesh: its points by their places in the chart.
+
+/** Triangle and barycentric coordinates of a place; outside the chart, those of the triangle at the nearest vertex. */
+interface Located {
+  corners: [number, number, number];
+  weights: [number, number, number];
+}
+
+/** The chart of a mesh in square cells. */
+class Sheet {
+  readonly geometry: BufferGeometry;
+  private readonly normals: ArrayLike<number>;
+  private readonly low: [number, number];
+  private readonly cell: number;
+  private readonly columns: number;
+  private readonly cells: number[][] = [];
+  /** A triangle of each vertex. */
+  private readonly triangleOf: number[] = [];
+
+  constructor(private readonly shape: MeshShape) {
+    const { points, places, triangles } = shape;
+    this.geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute([...points], 3)).setIndex([...triangles]);
+    this.geometry.computeVertexNormals();
+    this.normals = this.geometry.getAttribute("normal").array;
+    const chart = new Box2();
+    for (let i = 0; i < places.length; i += 2) chart.expandByPoint(new Vector2(places[i], places[i + 1]));
+    this.low = chart.min.toArray();
+    const size = chart.getSize(new Vector2());
+    this.cell = Math.max(Math.sqrt((3 * size.x * size.y) / Math.max(triangles.length, 1)), 1e-4);
+    this.columns = Math.floor(size.x / this.cell) + 1;
+    for (let t = 0; t < triangles.length; t += 3) {
+      const corners = [0, 1, 2].map((k) => triangles[t + k]!);
+      corners.forEach((i) => (this.triangleOf[i] ??= t));
+      const [columns, rows] = [0, 1].map((axis) => {
+        const at = corners.map((i) => Math.floor((places[2 * i + axis]! - this.low[axis]!) / this.cell));
+        return [Math.min(...at), Math.max(...at)] as const;
+      });
+      for (let row = rows![0]; row <= rows![1]; row++) {
+        for (let column = columns![0]; column <= columns![1]; column++) (this.cells[row * this.columns + column] ??= []).push(t);
+      }
+    }
+  }
+
+  /** Returns the point at a height over a place, in the frame of the surface [m]. */
+  lift(x: number, y: number, height: number): [number, number, number] {
+    const located = this.find(x, y);
+    const at = this.mean(this.shape.points, located);
+    const normal = this.mean(this.normals, located).normalize();
+    return at.addScaledVector(normal, height).toArray();
+  }
+
+  /** Returns the normal at the vertex that is nearest to a point in the frame of the surface. */
+  normalNear(point: Vector3): Vector3 {
+    return new Vector3().fromArray(this.normals, 3 * nearestTo(point.toArray(), this.shape.points));
+  }
+
+  private mean(values: ArrayLike<number>, { corners, weights }: Located): Vector3 {
+    const sum = new Vector3();
+    corners.forEach((i, k) => {
+      sum.x += weights[k]! * values[3 * i]!;
+      sum.y += weights[k]! * values[3 * i + 1]!;
+      sum.z += weights[k]! * values[3 * i + 2]!;
+    });
+    return sum;
+  }
+
+  private find(x: number, y: number): Located {
+    const [column, row] = [Math.floor((x - this.low[0]) / this.cell), Math.floor((y - this.low[1]) / this.cell)];
+    const near = column >= 0 && column < this.columns && row >= 0 ? this.cells[row * this.columns + column] ?? [] : [];
+    for (const t of near) {
+      const located = this.locate(t, x, y);
+      if (located.weights.every((weight) => weight >= -1e-6)) return located;
+    }
+    return this.locate(this.triangleOf[nearestTo([x, y], this.shape.places)] ?? 0, x, y);
+  }
+
+  private locate(t: number, x: number, y: number): Located {
+    const { places, triangles } = this.shape;
+    const corners: [number, number, number] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
+    const [a, b, c] = [2 * corners[0], 2 * corners[1], 2 * corners[2]];
+    const [ax, ay, bx, by, cx, cy] = [places[a]!, places[a + 1]!, places[b]!, places[b + 1]!, places[c]!, places[c + 1]!];
+    const doubled = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    const second = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / doubled;
+    const third = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / doubled;
+    return { corners, weights: [1 - second - third, second, third] };
+  }
+}
+
+/** Returns the index of the row of numbers that is nearest to a place. */
+function nearestTo(place: readonly number[], rows: readonly number[]): number {
+  let [nearest, least] = [0, Infinity];
+  for (let i = 0; i * place.length < rows.length; i++) {
+    let distance = 0;
+    for (let k = 0; k < place.length; k++) distance += (place[k]! - rows[i * place.length + k]!) ** 2;
+    if (distance < least) [nearest, least] = [i, distance];
+  }
+  return nearest;
+}
+
+/** Returns the chart of a mesh, which is made once. */
+export const sheetOf = once((shape: MeshShape) => new Sheet(shape));

@@ -3,7 +3,9 @@ import { PerspectiveCamera, Vector3, type Object3D } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Angles, View } from "./viewpoint.ts";
 
+/** Angle [rad] and factor of a step by keys. */
 const TURN = Math.PI / 24;
+const ZOOM = 1.15;
 /** Time in which a smooth way gets by a factor of e nearer to its end [ms]. */
 const GLIDE_MS = 380;
 
@@ -23,11 +25,7 @@ export class Camera {
   /** `changed` is called when the view changes, `taken` when a user changes it. */
   constructor(canvas: HTMLCanvasElement, changed: () => void, private readonly taken: () => void) {
     this.lens.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.lens, canvas);
-    this.controls.maxPolarAngle = 0.62 * Math.PI;
-    this.controls.minDistance = 0.1;
-    this.controls.maxDistance = 40;
-    this.controls.zoomToCursor = true;
+    this.controls = Object.assign(new OrbitControls(this.lens, canvas), { maxPolarAngle: 0.62 * Math.PI, minDistance: 0.1, maxDistance: 40, zoomToCursor: true });
     this.controls.addEventListener("start", () => { this.held = true; });
     this.controls.addEventListener("end", () => { this.held = false; });
     this.controls.addEventListener("change", () => {
@@ -45,12 +43,15 @@ export class Camera {
     }, true);
     canvas.addEventListener("keydown", (event) => {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const turn: Record<string, [number, number]> = { a: [-TURN, 0], d: [TURN, 0], w: [0, -TURN], s: [0, TURN] };
-      const zoom: Record<string, number> = { z: 1 / 1.15, x: 1.15 };
-      const [turned, zoomed] = [turn[event.key], zoom[event.key]];
-      if (turned) this.turn(...turned);
-      else if (zoomed) this.zoom(zoomed);
-      else return;
+      const { controls } = this;
+      const moves: Record<string, () => void> = {
+        a: () => controls.rotateLeft(TURN), d: () => controls.rotateLeft(-TURN), w: () => controls.rotateUp(TURN), s: () => controls.rotateUp(-TURN),
+        z: () => controls.dollyIn(1 / ZOOM), x: () => controls.dollyIn(ZOOM),
+      };
+      const move = moves[event.key];
+      if (!move) return;
+      this.take();
+      move();
       event.preventDefault();
       event.stopPropagation();
     });
@@ -125,22 +126,5 @@ export class Camera {
     this.goal = null;
     this.asked = true;
     this.taken();
-  }
-
-  private turn(around: number, up: number): void {
-    this.take();
-    const away = this.lens.position.clone().sub(this.controls.target);
-    away.applyAxisAngle(new Vector3(0, 0, 1), around);
-    const side = new Vector3().crossVectors(this.lens.up, away).normalize();
-    const tilted = away.clone().applyAxisAngle(side, up);
-    const polar = tilted.angleTo(this.lens.up);
-    const { target } = this.controls;
-    this.move({ target, eye: target.clone().add(polar > 0.02 && polar < this.controls.maxPolarAngle ? tilted : away) });
-  }
-
-  private zoom(by: number): void {
-    this.take();
-    const { target, eye } = this.view;
-    this.move({ target, eye: target.clone().lerp(eye, by) });
   }
 }

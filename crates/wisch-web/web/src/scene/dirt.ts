@@ -1,12 +1,13 @@
 // Particles: believed and predicted over time, estimated, observed and true. Their marks differ in shape and colour.
 import { Float32BufferAttribute, Group } from "three";
+import { metres } from "../particles.ts";
 import { ABOVE } from "./surface.ts";
 import { lift } from "./bend.ts";
 import { drawTexture, makeDots, type Dots } from "./dots.ts";
 import { GRAIN_M, Grains, formOf } from "./grains.ts";
 import { placeAt, tint } from "./solids.ts";
 import type { Pose } from "../recording.ts";
-import type { Bend, Instant, Outcome, Recording } from "../store.ts";
+import type { Bend, Instant, Recording } from "../store.ts";
 import { isTreated } from "../treated.ts";
 
 export type Mark = "believed" | "estimated" | "actual" | "seen";
@@ -26,7 +27,6 @@ export class Dirt {
   private readonly shown = new Map<Mark, Float32Array | null>();
   /** Believed and predicted dirt as solids; null while its medium has none. */
   private grains: Grains | null = null;
-  private outcome: { key: string; outcome: Outcome | null } = { key: "", outcome: null };
 
   constructor() {
     this.points = Object.fromEntries(MARKS.map((mark) => {
@@ -45,9 +45,6 @@ export class Dirt {
   show(recording: Recording, t: number, { round, time }: Instant, layers: Record<Mark, boolean>, pixelsPerMetre: number): void {
     const size = Math.min(1.25, Math.max(0.7, (GRAIN_M * pixelsPerMetre) / SIZE.believed));
     for (const mark of MARKS) this.points[mark].material.size = size * SIZE[mark];
-    const key = `${recording.version} ${recording.rounds.filter((other) => other.end <= t + 1e-6).length}`;
-    if (key !== this.outcome.key) this.outcome = { key, outcome: recording.outcomeAt(t) };
-    const { outcome } = this.outcome;
     const { pose, shape } = round.plan.surface;
     // The places of a treated surface are no dirt.
     const dirty = !isTreated(round);
@@ -59,12 +56,13 @@ export class Dirt {
     }
     this.grains?.show(believed, pose, shape, pixelsPerMetre);
     this.set("believed", this.grains ? null : believed, pose, shape, 1);
-    const outcomePose = outcome?.pose ?? pose;
     // The previous outcome, or what was known before the first round, fades once the robot wipes and so changes it.
     const opacity = recording.endedAt(t) || t < round.start + round.firstContact ? 1 : 0.45;
-    this.set("estimated", dirty && layers.estimated ? outcome?.estimated ?? null : null, outcomePose, outcome?.shape, opacity);
-    this.set("actual", dirty && layers.actual ? outcome?.actual ?? null : null, outcome?.actualPose ?? outcomePose, outcome?.actualShape, opacity);
-    this.set("seen", layers.seen ? outcome?.seen ?? null : null, outcomePose, outcome?.shape, opacity);
+    const outcome = recording.outcomeAt(t);
+    for (const mark of ["estimated", "actual", "seen"] as const) {
+      const { places, pose, shape } = outcome[mark];
+      this.set(mark, places && layers[mark] && (dirty || mark === "seen") ? metres(places) : null, pose, shape, opacity);
+    }
   }
 
   private set(mark: Mark, places: Float32Array | null, pose: Pose, shape: Bend, opacity: number): void {

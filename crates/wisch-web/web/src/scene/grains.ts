@@ -1,8 +1,9 @@
 // Dirt as solids with a shadow: crumbs, or drops of a liquid. All of them are one mesh, and all shadows another one; without a
 // graphics card, each instance of an instanced mesh takes as long as a mesh of its own.
-import { BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, Group, Material, Mesh, MeshBasicMaterial, MeshPhongMaterial, SphereGeometry } from "three";
+import { BufferAttribute, BufferGeometry, CircleGeometry, ConeGeometry, Group, Material, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, SphereGeometry, Vector3 } from "three";
 import { colour } from "../theme.ts";
 import { lift } from "./bend.ts";
+import { alongAxis } from "./shell.ts";
 import { placeAt } from "./solids.ts";
 import type { Pose } from "../recording.ts";
 import type { Bend } from "../store.ts";
@@ -145,26 +146,17 @@ export class Grains {
 
 /** Writes a copy of a shape on a surface: upright along its normal, turned and sized by its place. */
 function placeCopy(geometry: BufferGeometry, shape: BufferGeometry, i: number, radius: number, bend: Bend, x: number, y: number): void {
-  const [px, py, pz] = lift(bend, x, y, 0);
-  const [tx, ty, tz] = bend ? lift(bend, x, y, 1) : [px, py, pz + 1];
-  const [nx, ny, nz] = [tx - px, ty - py, tz - pz];
-  const turn = 2 * Math.PI * hash(x, y);
+  const foot = new Vector3(...lift(bend, x, y, 0));
+  const surfaceFromCopy = alongAxis(new Vector3(...lift(bend, x, y, 1)).sub(foot), foot).multiply(new Matrix4().makeRotationZ(2 * Math.PI * hash(x, y)));
   const size = radius * (0.75 + 0.5 * hash(y, x));
-  // A direction in the plane of the chart, made perpendicular to the normal, and the one across it.
-  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
-  const along = cos * nx + sin * ny;
-  const length = Math.sqrt(1 - Math.min(0.99, along * along));
-  const [ux, uy, uz] = [(cos - along * nx) / length, (sin - along * ny) / length, (-along * nz) / length];
-  const [vx, vy, vz] = [ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux];
-  for (const name of PLACED) {
-    if (!shape.hasAttribute(name)) continue;
-    const [scale, ox, oy, oz] = name === "position" ? [size, px, py, pz] : [1, 0, 0, 0];
-    const [from, to] = [attributeOf(shape, name).array, attributeOf(geometry, name).array];
-    for (let k = 0, at = i * from.length; k < from.length; k += 3, at += 3) {
-      const [a, b, c] = [scale * from[k]!, scale * from[k + 1]!, scale * from[k + 2]!];
-      to[at] = ox + a * ux + b * vx + c * nx;
-      to[at + 1] = oy + a * uy + b * vy + c * ny;
-      to[at + 2] = oz + a * uz + b * vz + c * nz;
+  const corner = new Vector3();
+  for (const name of PLACED.filter((name) => shape.hasAttribute(name))) {
+    const [from, to] = [attributeOf(shape, name), attributeOf(geometry, name)];
+    for (let k = 0; k < from.count; k++) {
+      corner.fromBufferAttribute(from, k);
+      if (name === "position") corner.multiplyScalar(size).applyMatrix4(surfaceFromCopy);
+      else corner.transformDirection(surfaceFromCopy);
+      to.setXYZ(i * from.count + k, corner.x, corner.y, corner.z);
     }
   }
 }

@@ -1,5 +1,5 @@
 // Positions of the tool at events, and arrows where somebody or something pushed.
-import { BufferGeometry, Color, Float32BufferAttribute, Group, Vector3 } from "three";
+import { Color, Float32BufferAttribute, Group, Vector3 } from "three";
 import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
 import { eventColour } from "../timeline/lanes.ts";
@@ -71,10 +71,8 @@ export class Marks {
   }
 
   private build(recording: Recording, round: Round): void {
-    const places: number[] = [];
-    const colours: number[] = [];
-    this.starts = [];
-    this.pushes = [];
+    const [places, colours]: [number[], number[]] = [[], []];
+    [this.starts, this.pushes] = [[], []];
     this.arrows.clear();
     for (const happening of recording.happenings) {
       const [start, end] = [happening.start - round.start, happening.end - round.start];
@@ -97,8 +95,6 @@ export class Marks {
       }
     }
     this.points.geometry.dispose();
-    this.points.geometry = new BufferGeometry();
-    this.points.geometry.setAttribute("position", new Float32BufferAttribute(places, 3));
-    this.points.geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
+    this.points.geometry.setAttribute("position", new Float32BufferAttribute(places, 3)).setAttribute("color", new Float32BufferAttribute(colours, 3));
   }
 }

@@ -1,6 +1,6 @@
 // The renderer: full quality on a graphics card, reduced quality in software.
 import { Color, PCFShadowMap, WebGLRenderer, type Camera, type Scene } from "three";
-import { isSoftwareRendered } from "../software.ts";
+import { isSoftwareRendered } from "../frames.ts";
 import { colour } from "../theme.ts";
 
 /** Maximum number of drawn pixels. */
@@ -28,18 +28,7 @@ export class Painter {
     this.renderer = new WebGLRenderer({ canvas, stencil: true, antialias: !this.software, alpha: !this.software, powerPreference: "high-performance" });
     // The check for shader errors would wait until all shaders are compiled.
     this.renderer.debug.checkShaderErrors = false;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.shadowMap.autoUpdate = !this.software;
-  }
-
-  /** Whether a frame has shadows. In software only frames at rest have them, because they take as long as all else. */
-  hasShadows(resting: boolean): boolean {
-    return !this.software || resting;
-  }
-
-  get shadowSize(): number {
-    return this.software ? 512 : 1024;
+    Object.assign(this.renderer.shadowMap, { enabled: true, type: PCFShadowMap, autoUpdate: !this.software });
   }
 
   size(width: number, height: number): void {

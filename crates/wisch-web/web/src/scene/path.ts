@@ -1,14 +1,11 @@
-// The path of the tool in a round up to the shown time, coloured by contact, and queried paths.
-import { Color, Group, Vector3, type Object3D } from "three";
+// The path of the tool in a round up to the shown time, coloured by contact.
+import { Color, Group, Vector3 } from "three";
 import { lastAtMost } from "../columns.ts";
 import { colour } from "../theme.ts";
-import { dotTexture, makeDots, type Dots } from "./dots.ts";
 import { normalUnder } from "./bend.ts";
 import { Ribbon } from "./ribbon.ts";
 import { ABOVE } from "./surface.ts";
-import { GrowingSegments, LineMaterial, chain, segments } from "./lines.ts";
-import { matrix, tint } from "./solids.ts";
-import type { Pose } from "../recording.ts";
+import { GrowingSegments } from "./lines.ts";
 import { LEAST_SAMPLES, type Contact, type Round } from "../round.ts";
 
 /** Initial minimum distance between drawn samples [m]. */
@@ -17,11 +14,6 @@ const STEP_M = 0.0015;
 const MOST_SEGMENTS = 4000;
 /** Least force that is drawn as wide as a target, where no target is known [N]. */
 const REFERENCE_N = 5;
-
-/** Length of the axes of a frame [m]. */
-const AXIS_M = 0.1;
-/** Size of the dots at samples and origins [pixels]. */
-const DOT_PX = 11;
 
 /** Places of the states in the palette. */
 const KINDS: Record<Contact, number> = { none: 0, contact: 1, pushed: 2 };
@@ -137,60 +129,3 @@ export class Path {
     }
   }
 }
-
-export interface Trajectory {
-  name: string;
-  color?: string;
-  points: [number, number, number][];
-  /** Points at the times that a query asked for. */
-  samples?: [number, number, number][];
-}
-
-/** A frame whose axes are shown. */
-export interface ShownFrame {
-  name: string;
-  color?: string;
-  /** On the common clock [s]. */
-  time: number;
-  pose: Pose;
-}
-
-/** Number of colours of trajectories without a colour. */
-const TRACK_COLOURS = 6;
-
-/** Returns the name of the i-th default colour. */
-export const trackName = (i: number): string => `track-${(i % TRACK_COLOURS) + 1}`;
-
-/** Makes the lines of queried trajectories, with dots at their samples. */
-export const makeTrajectories = (list: readonly Trajectory[]): Object3D[] => list.flatMap(({ points, samples, color }, i) => {
-  // Drawn after the translucent highlight of the same path, and nearer than that path.
-  const material = new LineMaterial({ linewidth: 4.5, transparent: true, polygonOffset: true, polygonOffsetFactor: -12, polygonOffsetUnits: -12 });
-  material.color.set(safeColour(color, i));
-  const line = segments(chain(points, false), material);
-  line.renderOrder = 6;
-  return samples?.length ? [line, dots(samples, safeColour(color, i))] : [line];
-});
-
-/** Makes the axes of queried frames, each with a dot at its origin in the colour of the query. */
-export const makeAxes = (list: readonly ShownFrame[]): Object3D[] => list.flatMap(({ pose, color }) => {
-  const worldFromFrame = matrix(pose);
-  const origin = new Vector3().setFromMatrixPosition(worldFromFrame).toArray();
-  const axes = ["axis-x", "axis-y", "axis-z"].map((name, k) => {
-    const end = new Vector3().setComponent(k, AXIS_M).applyMatrix4(worldFromFrame).toArray();
-    return segments([...origin, ...end], tint(new LineMaterial({ linewidth: 3.5 }), name));
-  });
-  return [...axes, dots([origin], hexOr(color, colour("axis-z")))];
-});
-
-/** Makes dots of a colour. */
-function dots(places: readonly [number, number, number][], color: string): Dots {
-  const made = makeDots(places.flat(), dotTexture(), DOT_PX);
-  made.material.color.set(color);
-  return made;
-}
-
-/** Returns `color` if it is a hexadecimal colour, else `other`. */
-export const hexOr = (color: string | undefined, other: string): string => (color && /^#[0-9a-f]{3,8}$/i.test(color) ? color : other);
-
-/** Returns `color` if it is a hexadecimal colour, else the i-th default colour. */
-export const safeColour = (color: string | undefined, i: number): string => hexOr(color, colour(trackName(i)));

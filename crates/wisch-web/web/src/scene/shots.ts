@@ -1,9 +1,9 @@
 // What the camera shows of a round: all, the surface, or, while it follows, what the current phase is about.
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 import { liftLine, normalUnder } from "./bend.ts";
 import { matrix } from "./solids.ts";
 import { corners, type Still } from "./surface.ts";
-import { blocksOf, chooseDirection, cornersOf, middleOf, type Moment } from "./viewpoint.ts";
+import { blocksOf, chooseDirection, cornersOf, cornersOfBox, type Moment } from "./viewpoint.ts";
 import type { Robot } from "./robot.ts";
 import type { RoundPiece } from "../recording.ts";
 import type { Round } from "../round.ts";
@@ -48,7 +48,7 @@ export class Shots {
 
   /** Returns the corners of the surface, and of the tool while it touches the surface. */
   surface(): Vector3[] {
-    const corners = this.surfaceCorners;
+    const { corners } = this.still;
     if (!corners.length) return this.all(0);
     const tool = this.contacts.flatMap((time) => {
       this.move(time);
@@ -79,10 +79,6 @@ export class Shots {
     return { key: `${this.still.round.number} stroke ${phase.start}`, points: points.length ? points : this.surface() };
   }
 
-  private get surfaceCorners(): Vector3[] {
-    return this.still.surface ? cornersOf([this.still.surface]) : [];
-  }
-
   /** Middles of the strokes, at most MOMENTS of them, as far as the round has samples [s]. */
   private get contacts(): number[] {
     const { count, t, plan } = this.still.round;
@@ -106,10 +102,9 @@ export class Shots {
       this.move(time);
       return { blocks: this.robot ? blocksOf(this.robot.links) : [], tool: this.robot ? [this.robot.toolPlace, ...cornersOf([this.robot.tool])] : [] };
     });
-    const corners = this.surfaceCorners;
-    const middle = middleOf(corners);
+    const points = this.still.pointsOver(OVER_M);
+    const middle = points[0]!;
     const normal = normalUnder(plan.surface, middle);
-    const points = [middle, ...corners.map((corner) => corner.clone().lerp(middle, 0.15))].map((point) => point.clone().addScaledVector(normal, OVER_M));
     // Looking towards the robot shows its face.
     const preferred = this.robot && moments.length ? middle.clone().sub(this.robot.rootPlace) : new Vector3(0.75, -1, 0);
     if (preferred.setZ(0).length() < 1e-3) preferred.set(1, 0, 0);
@@ -122,8 +117,9 @@ export function strokePoints({ plan: { strokes, surface } }: Round, { stroke }: 
   const line = liftLine(surface.shape, corners(strokes[stroke ?? -1] ?? []), false);
   const worldFromSurface = matrix(surface.pose);
   return line.flatMap((corner) => {
-    const { x, y, z } = new Vector3(...corner).applyMatrix4(worldFromSurface);
-    return Array.from({ length: 8 }, (_, c) => new Vector3(x + (c & 1 ? ROOM_M : -ROOM_M), y + (c & 2 ? ROOM_M : -ROOM_M), z + (c & 4 ? ROOM_M : 0)));
+    const box = new Box3().expandByPoint(new Vector3(...corner).applyMatrix4(worldFromSurface)).expandByScalar(ROOM_M);
+    box.min.z += ROOM_M;
+    return cornersOfBox(box);
   });
 }
 

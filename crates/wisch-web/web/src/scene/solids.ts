@@ -4,8 +4,9 @@ import {
   type Color, type Material, type Mesh, type Object3D, type Texture,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { once } from "../columns.ts";
 import { colour } from "../theme.ts";
-import { PER_METRE } from "../particles.ts";
+import { metres } from "../particles.ts";
 import type { MeshRecord, Pose, Solid } from "../recording.ts";
 
 const ONE = new Vector3(1, 1, 1);
@@ -75,21 +76,9 @@ export function shiftDepth<M extends Material>(material: M, factor: number): M {
   return material;
 }
 
-const geometries = new WeakMap<MeshRecord, BufferGeometry>();
-
 /** Returns the geometry of a mesh, which is made once and shared. */
-function meshGeometry(mesh: MeshRecord | undefined): BufferGeometry {
-  if (!mesh) return new BufferGeometry();
-  let geometry = geometries.get(mesh);
-  if (!geometry) {
-    const plain = new BufferGeometry();
-    plain.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices, (v) => v / PER_METRE), 3));
-    plain.setIndex(mesh.triangles);
-    geometry = toCreasedNormals(plain, CREASE);
-    geometries.set(mesh, geometry);
-  }
-  return geometry;
-}
+const meshGeometry = once(({ vertices, triangles }: MeshRecord) =>
+  toCreasedNormals(new BufferGeometry().setAttribute("position", new BufferAttribute(metres(vertices), 3)).setIndex(triangles), CREASE));
 
 export function geometryOf(solid: Solid, meshes: MeshRecord[]): BufferGeometry {
   switch (solid.kind) {
@@ -97,7 +86,7 @@ export function geometryOf(solid: Solid, meshes: MeshRecord[]): BufferGeometry {
     case "sphere": return new SphereGeometry(solid.radius, 28, 18);
     case "cylinder": return new CylinderGeometry(solid.radius, solid.radius, solid.length, 32).rotateX(Math.PI / 2);
     case "capsule": return new CapsuleGeometry(solid.radius, solid.length, 10, 28).rotateX(Math.PI / 2);
-    case "mesh": return meshGeometry(meshes[solid.mesh]);
+    case "mesh": return meshes[solid.mesh] ? meshGeometry(meshes[solid.mesh]!) : new BufferGeometry();
     default: return new BufferGeometry();
   }
 }

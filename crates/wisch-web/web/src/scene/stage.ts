@@ -5,20 +5,19 @@ import {
 } from "three";
 import { frames } from "../frames.ts";
 import { colour, theme } from "../theme.ts";
-import { makeAsked, type ShownParticles } from "./asked.ts";
 import { Camera } from "./camera.ts";
 import { Dirt, type Mark } from "./dirt.ts";
 import { Force } from "./force.ts";
 import { LineMaterial, segments, setSegments } from "./lines.ts";
-import { SurfaceMap } from "./map.ts";
 import { Marks } from "./marks.ts";
 import { Painter } from "./painter.ts";
-import { hexOr, makeAxes, makeTrajectories, Path, type ShownFrame, type Trajectory } from "./path.ts";
+import { Path } from "./path.ts";
+import { hexOr, makeAsked, makeAxes, makeTrajectories, type ShownFrame, type ShownParticles, type Trajectory } from "./queried.ts";
 import { BaseMap, RejectedStrokes } from "./reasons.ts";
 import { makeGhost, Robot, type RobotMaterials } from "./robot.ts";
 import { Shots } from "./shots.ts";
 import { disposeAll, paint, release, tint } from "./solids.ts";
-import { Still } from "./surface.ts";
+import { Still, SurfaceMap } from "./surface.ts";
 import { fit } from "./viewpoint.ts";
 import type { Round } from "../round.ts";
 import type { Rgba } from "../recording.ts";
@@ -271,7 +270,8 @@ export class Stage {
     const instant = this.recording.at(this.time);
     if (!this.sized) return;
     if (instant) this.place(instant);
-    if (this.sun) this.sun.castShadow = this.ground.visible = this.painter.hasShadows(resting);
+    // In software only frames at rest have shadows, because they take as long as all else.
+    if (this.sun) this.sun.castShadow = this.ground.visible = resting || !this.painter.software;
     this.painter.draw(this.scene, this.camera.lens, resting, () => this.draw(true));
     this.drawn++;
     this.onDrawn?.();
@@ -379,14 +379,9 @@ export class Stage {
     sun.position.copy(center).addScaledVector(SUN, 2 * radius);
     sun.target.position.copy(center);
     this.sun = sun;
-    sun.shadow.mapSize.set(this.painter.shadowSize, this.painter.shadowSize);
-    sun.shadow.bias = -0.0005;
-    sun.shadow.normalBias = 0.01;
-    sun.shadow.intensity = 0.4;
-    sun.shadow.radius = 4;
-    Object.assign(sun.shadow.camera, {
-      left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius,
-    });
+    sun.shadow.mapSize.setScalar(this.painter.software ? 512 : 1024);
+    Object.assign(sun.shadow, { bias: -0.0005, normalBias: 0.01, intensity: 0.4, radius: 4 });
+    Object.assign(sun.shadow.camera, { left: -1.4 * radius, right: 1.4 * radius, top: 1.4 * radius, bottom: -1.4 * radius, near: 0.1, far: 9 * radius });
     const sky = new HemisphereLight(0xffffff, 0x8a8f98, SKY_LIGHT);
     sky.position.set(0, 0, 1);
     this.scene.add(this.grid, this.ground, sun, sun.target, sky, new AmbientLight(0xffffff, AMBIENT_LIGHT));

@@ -1,16 +1,17 @@
-// The static parts of a round: scene objects, surface (believed, found, true), goal and strokes.
+// The static parts of a round: scene objects, surface (believed, found, true), goal and strokes; and the map of a treated surface.
 import {
-  CircleGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
-  RingGeometry, Shape, ShapeGeometry, Vector2, Vector3, type BufferGeometry, type Material,
+  BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial,
+  MeshLambertMaterial, RingGeometry, Shape, ShapeGeometry, Vector2, Vector3, type Material,
 } from "three";
 import { metres } from "../particles.ts";
-import { type Corner, liftGeometry, liftLine, normalUnder } from "./bend.ts";
-import { sheetOf } from "./sheet.ts";
+import { colour } from "../theme.ts";
+import { binOf, binsOf, CELL_REACH, type SurfaceValues } from "../treated.ts";
+import { lift, liftGeometry, liftLine, normalUnder, sheetOf, type Corner } from "./bend.ts";
 import { LineMaterial, chain, cutDashes, segments } from "./lines.ts";
 import { geometryOf, placeAt, shiftDepth, tint } from "./solids.ts";
 import { TRUTH_DASH } from "../timeline/frame.ts";
 import { blocksOf, cornersOf, isBetween, middleOf } from "./viewpoint.ts";
-import { woodTexture } from "./wood.ts";
+import { woodTexture } from "./dots.ts";
 import { trueShape, type Bend, type Recording } from "../store.ts";
 import type { Round } from "../round.ts";
 import type { Pose } from "../recording.ts";
@@ -24,6 +25,8 @@ export const TRUE_DASH_M: [number, number] = [0.005 * TRUTH_DASH[0], 0.005 * TRU
 const FADED = 0.2;
 /** Height over the surface to which the camera sees [m]. */
 const SIGHT_M = 0.03;
+/** How far points that are to be seen lie from the corners of the surface, as a share of the way to its middle [1]. */
+const INSET = 0.12;
 /** Names of surfaces that are drawn as wood. */
 const WOODEN = /board|table|wood|desk|counter/i;
 
@@ -102,7 +105,7 @@ export class Still {
   /** Makes furniture between the camera and the surface translucent. */
   fade(eye: Vector3): void {
     if (!this.surface || !this.obstacles.length) return;
-    this.sights ??= this.makeSights(this.surface);
+    this.sights ??= this.pointsOver(SIGHT_M);
     for (const obstacle of this.obstacles) {
       const [block] = blocksOf([obstacle]);
       const hides = block !== undefined && this.sights.some((place) => isBetween(block, place, eye));
@@ -126,12 +129,16 @@ export class Still {
     return liftGeometry(bend, new ShapeGeometry(shape));
   }
 
-  /** Returns points over corners and middle of the surface in the world, which are to be seen [m]. */
-  private makeSights(surface: Mesh): Vector3[] {
+  /** Corners of the surface in the world [m]. */
+  get corners(): Vector3[] {
+    return this.surface ? cornersOf([this.surface]) : [];
+  }
+
+  /** Returns points at a height over the middle of the surface and near its corners, which are to be seen [m]. */
+  pointsOver(height: number): Vector3[] {
     this.group.updateMatrixWorld(true);
-    const corners = cornersOf([surface]);
-    const middle = middleOf(corners);
-    return [middle, ...corners.map((corner) => corner.lerp(middle, 0.1))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), SIGHT_M));
+    const middle = middleOf(this.corners);
+    return [middle, ...this.corners.map((corner) => corner.lerp(middle, INSET))].map((place) => place.clone().addScaledVector(normalUnder(this.round.plan.surface, place), height));
   }
 
   private addSurface(wooden: boolean): void {
@@ -176,5 +183,61 @@ export class Still {
     flat(new RingGeometry(Math.max(0, goal.radius - 0.003), goal.radius, 48), 1, "goal-line");
     flat(new CircleGeometry(Math.min(0.006, 0.3 * goal.radius), 24), 1, "goal-line");
     this.group.add(group);
+  }
+}
+
+/** Directions from the middle of a cell to its corners. */
+const CORNERS = [[-1, -1], [1, -1], [1, 1], [-1, 1]] as const;
+
+/** Makes the cells of a map over their surface. */
+function makeCells({ record, shape }: SurfaceValues): BufferGeometry {
+  const places = metres(record.places);
+  const [across, up] = record.cell.map((side) => CELL_REACH * side) as [number, number];
+  const count = places.length / 2;
+  const positions = new Float32Array(12 * count);
+  const index: number[] = [];
+  for (let i = 0; i < count; i++) {
+    CORNERS.forEach(([x, y], k) => positions.set(lift(shape, places[2 * i]! + x * across, places[2 * i + 1]! + y * up, ABOVE / 2), 12 * i + 3 * k));
+    index.push(4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3);
+  }
+  const colours = new BufferAttribute(new Float32Array(12 * count), 3);
+  return new BufferGeometry().setAttribute("position", new BufferAttribute(positions, 3)).setAttribute("color", colours).setIndex(index);
+}
+
+export class SurfaceMap {
+  /** Its depth is shifted as that of the surface, and a little more, but less than that of the tool's path. */
+  readonly mesh = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, toneMapped: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
+  /** The shown map, and the theme of its colours. */
+  private shown: SurfaceValues | null = null;
+  private theme = "";
+
+  constructor() {
+    this.mesh.frustumCulled = false;
+  }
+
+  /** Shows a map; null hides it. */
+  show(map: SurfaceValues | null, theme: string): void {
+    this.mesh.visible = map !== null;
+    if (!map) return;
+    placeAt(this.mesh, map.pose);
+    const sameCells = this.shown?.record === map.record && this.shown.shape === map.shape;
+    if (!sameCells) {
+      this.mesh.geometry.dispose();
+      this.mesh.geometry = makeCells(map);
+    }
+    if (!sameCells || this.shown?.values !== map.values || this.theme !== theme) this.paint(map);
+    this.shown = map;
+    this.theme = theme;
+  }
+
+  private paint({ record, values }: SurfaceValues): void {
+    const bins = binsOf(record);
+    const colours = bins.map((bin) => new Color(colour(bin.colour)));
+    const attribute = this.mesh.geometry.getAttribute("color") as BufferAttribute;
+    values.forEach((value, i) => {
+      const { r, g, b } = colours[binOf(bins, record, value)]!;
+      for (let k = 0; k < 4; k++) attribute.setXYZ(4 * i + k, r, g, b);
+    });
+    attribute.needsUpdate = true;
   }
 }

@@ -34,33 +34,26 @@ export interface View {
   eye: Vector3;
 }
 
-/** Calls `act` for every visible mesh that is not empty, with the box around it in its own frame. */
-function forEachBox(objects: readonly Object3D[], act: (mesh: Mesh, box: Box3) => void): void {
-  for (const object of objects) {
-    if (!object.visible) continue;
-    if (object instanceof Mesh) {
-      const geometry = object.geometry as BufferGeometry;
-      if (!geometry.boundingBox) geometry.computeBoundingBox();
-      if (!geometry.boundingBox!.isEmpty()) act(object, geometry.boundingBox!);
-    }
-    forEachBox(object.children, act);
-  }
+/** Returns the boxes around all visible meshes that are not empty, each in its own frame. */
+function boxesIn(objects: readonly Object3D[]): { worldFromBox: Matrix4; box: Box3 }[] {
+  return objects.filter(({ visible }) => visible).flatMap((object) => {
+    const geometry = object instanceof Mesh ? object.geometry as BufferGeometry : null;
+    if (geometry && !geometry.boundingBox) geometry.computeBoundingBox();
+    const box = geometry?.boundingBox;
+    return [...(box && !box.isEmpty() ? [{ worldFromBox: object.matrixWorld, box }] : []), ...boxesIn(object.children)];
+  });
 }
+
+/** Returns the corners of a box. */
+export const cornersOfBox = ({ min, max }: Box3): Vector3[] =>
+  Array.from({ length: 8 }, (_, k) => new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
 
 /** Returns the corners of the bounding boxes of all meshes in `objects`, in the world [m]. */
-export function cornersOf(objects: readonly Object3D[]): Vector3[] {
-  const corners: Vector3[] = [];
-  forEachBox(objects, ({ matrixWorld }, { min, max }) => {
-    for (let k = 0; k < 8; k++) corners.push(new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(matrixWorld));
-  });
-  return corners;
-}
+export const cornersOf = (objects: readonly Object3D[]): Vector3[] =>
+  boxesIn(objects).flatMap(({ worldFromBox, box }) => cornersOfBox(box).map((corner) => corner.applyMatrix4(worldFromBox)));
 
-export function blocksOf(objects: readonly Object3D[]): Block[] {
-  const blocks: Block[] = [];
-  forEachBox(objects, ({ matrixWorld }, box) => blocks.push({ blockFromWorld: matrixWorld.clone().invert(), box }));
-  return blocks;
-}
+export const blocksOf = (objects: readonly Object3D[]): Block[] =>
+  boxesIn(objects).map(({ worldFromBox, box }) => ({ blockFromWorld: worldFromBox.clone().invert(), box }));
 
 /** Whether a block lies between two points. */
 export function isBetween({ blockFromWorld, box }: Block, from: Vector3, to: Vector3): boolean {

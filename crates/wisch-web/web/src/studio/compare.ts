@@ -17,19 +17,10 @@ const HEIGHT = { force: 96, performance: 110 };
 const GAP = 30;
 
 /** A property of a recording; numbers have a text for their difference. */
-interface Fact {
-  label: string;
-  text: string;
-  value?: number | null;
-  by?: (difference: number) => string;
-}
+type Fact = [label: string, text: string, value?: number | null, by?: (difference: number) => string];
 
-export interface Difference {
-  label: string;
-  texts: [string, string];
-  /** Second minus first, "differs", empty for equal texts, or a dash where both are unknown. */
-  by: string;
-}
+/** A property of two recordings. `by`: second minus first, "differs", empty for equal texts, or a dash where both are unknown. */
+type Difference = { label: string; texts: [string, string]; by: string };
 
 const signed = (unit: string, digits: number, factor = 1) => (difference: number): string => {
   const text = fixed(factor * difference, digits);
@@ -65,31 +56,31 @@ function factsOf(recording: Recording): Fact[] {
   const way = contactWay(recording);
   const estimate = interpreted ? estimateText(interpreted.estimate, 0, unknown ? ended!.verdict! : undefined) : DASH;
   return [
-    { label: "Task", text: task ? `${task.action} on ${task.surface}` : DASH },
-    { label: "Medium", text: task?.medium ?? DASH },
-    { label: "Tool", text: task?.tool ?? DASH },
-    { label: "Strategy", text: task ? [task.strategy, ...(chosen.length ? [`chosen: ${chosen.join(", ")}`] : [])].join("; ") : DASH },
-    { label: "Target", text: formatKnown(task?.target, percent), value: task?.target ?? null, by: points },
-    { label: "Rounds", text: String(rounds.length), value: rounds.length, by: signed("", 0) },
-    { label: "Predicted, last round", text: formatKnown(predicted, percent), value: predicted, by: points },
-    { label: "Estimated, last round", text: estimate, value: unknown ? null : interpreted?.estimate.mean ?? null, by: points },
-    { label: "True, last round", text: formatKnown(actual, percent), value: actual, by: points },
-    { label: "Way in contact", text: formatKnown(way, (metres) => `${fixed(metres, 2)} m`), value: way, by: signed("m", 2) },
-    { label: "Duration", text: clockText(recording.duration), value: recording.duration, by: signed("s", 1) },
-    { label: "Largest force", text: peak > 0 ? `${fixed(peak, 1)} N` : DASH, value: peak > 0 ? peak : null, by: signed("N", 1) },
-    { label: "Events", text: countNames(recording.happenings.flatMap(({ source, kind }) => (source === "event" ? [kind] : []))) || "none" },
-    { label: "Result", text },
+    ["Task", task ? `${task.action} on ${task.surface}` : DASH],
+    ["Medium", task?.medium ?? DASH],
+    ["Tool", task?.tool ?? DASH],
+    ["Strategy", task ? [task.strategy, ...(chosen.length ? [`chosen: ${chosen.join(", ")}`] : [])].join("; ") : DASH],
+    ["Target", formatKnown(task?.target, percent), task?.target ?? null, points],
+    ["Rounds", String(rounds.length), rounds.length, signed("", 0)],
+    ["Predicted, last round", formatKnown(predicted, percent), predicted, points],
+    ["Estimated, last round", estimate, unknown ? null : interpreted?.estimate.mean ?? null, points],
+    ["True, last round", formatKnown(actual, percent), actual, points],
+    ["Way in contact", formatKnown(way, (metres) => `${fixed(metres, 2)} m`), way, signed("m", 2)],
+    ["Duration", clockText(recording.duration), recording.duration, signed("s", 1)],
+    ["Largest force", peak > 0 ? `${fixed(peak, 1)} N` : DASH, peak > 0 ? peak : null, signed("N", 1)],
+    ["Events", countNames(recording.happenings.flatMap(({ source, kind }) => (source === "event" ? [kind] : []))) || "none"],
+    ["Result", text],
   ];
 }
 
 /** Returns the properties of two recordings side by side. */
 export function differencesOf(first: Recording, second: Recording): Difference[] {
   const others = factsOf(second);
-  return factsOf(first).map(({ label, text, value, by }, i) => {
-    const other = others[i]!;
-    const isKnown = typeof value === "number" && typeof other.value === "number";
-    const same = (by ? isKnown : text !== DASH) ? "" : DASH;
-    return { label, texts: [text, other.text], by: text === other.text ? same : isKnown ? by!(other.value! - value) : "differs" };
+  return factsOf(first).map(([label, text, value, by], i) => {
+    const [, otherText, other] = others[i]!;
+    const difference = typeof value === "number" && typeof other === "number" ? other - value : null;
+    const same = (by ? difference !== null : text !== DASH) ? "" : DASH;
+    return { label, texts: [text, otherText], by: text === otherText ? same : by && difference !== null ? by(difference) : "differs" };
   });
 }
 

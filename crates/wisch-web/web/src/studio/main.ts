@@ -3,10 +3,8 @@ import "./studio.css";
 import { el } from "../dom.ts";
 import { isSame, read, replace, write, type Place } from "./address.ts";
 import { Ask } from "./ask.ts";
-import { onChanged, overview, Refused, type Answers, type Overview } from "./server.ts";
+import { LiveSource, loadEpisode, onChanged, overview, Refused, type Answers, type Overview } from "./server.ts";
 import { Side } from "./side.ts";
-import { apply, episodesOf, shownOf } from "./shown.ts";
-import { LiveSource, loadEpisode } from "./source.ts";
 import { Stage, type Source } from "./stage.ts";
 import { StartDialog } from "./start.ts";
 
@@ -216,20 +214,13 @@ class Studio {
 
   /** Shows answers: in the shown episode if they mention it, else in the episode with most of them. */
   private async show(answers: Answers, row: number | null, wanted: string | null): Promise<void> {
-    const episodes = episodesOf(answers, row);
-    const current = this.stage.shown.find(({ id }) => (wanted ? id === wanted : episodes.includes(id)));
-    const id = wanted ?? current?.id ?? episodes[0];
-    if (!id) return;
-    if (!current) {
+    await this.stage.answer(answers, row, wanted, ([most]) => most, async (id) => {
       const place: Place = { kind: "episode", ids: [id], time: null, query: this.place.query };
       history.pushState(null, "", write(place));
       this.place = place;
       await this.load(place);
-    } else if (this.isNarrow) this.open(null);
-    const now = this.stage.shown.find((one) => one.id === id);
-    if (!now) return;
-    this.stage.closeStories();
-    apply(now.view, shownOf(answers, row, id, now.recording));
+    });
+    if (this.isNarrow) this.open(null);
   }
 }
 

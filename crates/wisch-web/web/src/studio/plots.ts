@@ -1,6 +1,6 @@
 // Diagrams of a query.
 import { el, fixed, svg, svgText } from "../dom.ts";
-import { trackName } from "../scene/path.ts";
+import { trackName } from "../scene/queried.ts";
 import type { Plot } from "./server.ts";
 
 const WIDTH = 400;

@@ -1,4 +1,6 @@
-// The interface of the studio's server. Addresses are relative, so that requests keep the token in the page's address.
+// The interface of the studio's server: queries, and recordings of episodes and live runs. Addresses are relative, so that requests
+// keep the token in the page's address.
+import { Recording } from "../store.ts";
 import type { Pose } from "../recording.ts";
 
 /** An episode, as far as the page reads it. */
@@ -13,7 +15,9 @@ export interface Listed {
   low: number | null;
   high: number | null;
   met: boolean;
+  /** Verdict on the last round, and how the run ended, where its recording states it. */
   verdict: string | null;
+  badge?: string | null;
   /** Target performance, in [0, 1]. */
   target: number | null;
   /** Begins of the rounds, since the episode began [s]. */
@@ -43,18 +47,10 @@ export interface Overview {
   scenarios: Scenario[];
 }
 
-export interface Named {
-  name: string;
-  label: string;
-  comment: string;
-}
-
-export interface Vocabulary {
+/** The names that queries may have. */
+export interface Vocabulary extends Record<"classes" | "properties" | "individuals", { name: string; label: string; comment: string }[]> {
   predicates: { name: string; arity: number; meaning: string }[];
   builtins: string[];
-  classes: Named[];
-  properties: Named[];
-  individuals: Named[];
   examples: { title: string; query: string }[];
 }
 
@@ -81,52 +77,23 @@ export interface Plot {
   points?: [number, number][];
 }
 
-export interface Track {
+/** An individual of an episode that a query shows. */
+interface ShownThing {
   thing: string;
   episode: string;
-  round: number;
-  interval: [number, number];
-  path: [number, number, number][];
-  samples: [number, number, number, number][];
   strong: boolean;
   colour: string | null;
 }
 
-export interface ShownBody {
-  thing: string;
-  kind: "robot" | "tool" | "surface" | "frame";
-  episode: string;
-  round: number;
-  time: number;
-  /** Pose of its frame in the world. */
-  pose: Pose;
-  strong: boolean;
-  colour: string | null;
-}
-
-/** Particles of a round, in the frame of its surface [m]. */
-export interface ShownDirt {
-  episode: string;
-  round: number;
-  state: "before" | "estimated";
-  positions: [number, number][];
-  colour: string | null;
-}
-
-export interface ShownEpisode {
-  id: string;
-  task: string;
-  interval: [number, number];
-  /** When each round began, in seconds since 1970. */
-  rounds: number[] | null;
-  shown: [number, number][];
-}
-
-export interface Seen {
-  episodes: ShownEpisode[];
-  tracks: Track[];
-  bodies: ShownBody[];
-  particles: ShownDirt[];
+/** All that a query shows. */
+interface Seen {
+  /** `rounds`: when each round began, in seconds since 1970. */
+  episodes: { id: string; interval: [number, number]; rounds: number[] | null; shown: [number, number][] }[];
+  tracks: (ShownThing & { interval: [number, number]; path: [number, number, number][]; samples: [number, number, number, number][] })[];
+  /** Poses of the bodies' frames in the world. */
+  bodies: (ShownThing & { kind: "robot" | "tool" | "surface" | "frame"; time: number; pose: Pose })[];
+  /** Particles of rounds, in the frames of their surfaces [m]. */
+  particles: { episode: string; round: number; state: "before" | "estimated"; positions: [number, number][]; colour: string | null }[];
   plots: Plot[];
   left_out: number;
 }
@@ -167,24 +134,12 @@ export class Refused extends Error {
 const GONE = "The studio does not respond. If it has ended, start it again: wisch studio.";
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(path, { ...init, cache: "no-store" });
-  } catch {
-    throw new Refused({ message: GONE }, 0);
-  }
+  const response = await fetch(path, { ...init, cache: "no-store" }).catch(() => { throw new Refused({ message: GONE }, 0); });
   if (response.ok) return response;
-  throw new Refused(await faultOf(response), response.status);
-}
-
-async function faultOf(response: Response): Promise<Fault> {
-  try {
-    const body = (await response.json()) as { error?: Fault };
-    if (body.error) return body.error;
-  } catch {
-    // The response has no readable message.
-  }
-  return { message: `The studio refused the request with HTTP status ${response.status}.` };
+  const { status } = response;
+  // A refusal may have no readable message.
+  const body = (await response.json().catch(() => null)) as { error?: Fault } | null;
+  throw new Refused(body?.error ?? { message: `The studio refused the request with HTTP status ${status}.` }, status);
 }
 
 const post = async <T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> => {
@@ -248,4 +203,101 @@ export function onChanged(callback: () => void, state: (connected: boolean) => v
     state(false);
     if (events.readyState === EventSource.CLOSED) setTimeout(() => onChanged(callback, state), 2000);
   });
+}
+
+/** Maximum number of cached recordings. */
+const MOST_KEPT = 4;
+/** Time until the first retry of a refused connection; each further retry waits this much longer [ms]. */
+const RETRY_MS = 1000;
+
+export type Connection = "connecting" | "live" | "reconnecting" | "ended" | "lost" | "gone";
+
+const cache = new Map<string, Recording>();
+
+/** Loads the recording of an episode, or returns it from the cache. */
+export async function loadEpisode(id: string): Promise<Recording> {
+  const known = cache.get(id);
+  cache.delete(id);
+  const recording = known ?? new Recording();
+  if (!known) await readRecording(id, (line) => recording.applyLine(line));
+  if (!known) recording.close();
+  keep(id, recording);
+  return recording;
+}
+
+function keep(id: string, recording: Recording): void {
+  cache.set(id, recording);
+  const [oldest] = cache.keys();
+  if (cache.size > MOST_KEPT && oldest !== undefined) cache.delete(oldest);
+}
+
+/** A live run: its recording grows as lines arrive. After a lost connection it continues at the next line. */
+export class LiveSource {
+  readonly recording = new Recording();
+  connection: Connection = "connecting";
+  message = "";
+  private lines = 0;
+  private events: EventSource | null = null;
+  private later: ReturnType<typeof setTimeout> | undefined;
+  private failures = 0;
+
+  constructor(readonly id: string, private readonly changed: () => void) {
+    this.open();
+  }
+
+  private open(): void {
+    const events = new EventSource(`api/runs/${encodeURIComponent(this.id)}/stream?after=${this.lines}`);
+    this.events = events;
+    events.addEventListener("open", () => {
+      this.failures = 0;
+      this.set("live");
+    });
+    events.addEventListener("message", ({ data, lastEventId }: MessageEvent<string>) => {
+      const line = Number(lastEventId);
+      // A repeated line is skipped.
+      if (line <= this.lines) return;
+      this.lines = line;
+      this.recording.applyLine(data);
+    });
+    events.addEventListener("end", ({ data }: MessageEvent<string>) => this.end(data));
+    events.addEventListener("error", () => {
+      this.set("reconnecting");
+      if (events.readyState !== EventSource.CLOSED) return;
+      // The server refused: the run no longer exists, or has too many viewers.
+      this.failures++;
+      if (this.failures > 3) {
+        this.recording.close();
+        this.set("gone");
+        return;
+      }
+      this.later = setTimeout(() => this.open(), RETRY_MS * this.failures);
+    });
+  }
+
+  private end(data: string): void {
+    this.close();
+    const end = JSON.parse(data) as { state: string; message: string };
+    this.message = end.message;
+    this.recording.close();
+    const ended = end.state === "ended";
+    // The episode may not be in the memory yet; the received recording equals it.
+    if (ended && this.recording.ended) keep(this.episode, this.recording);
+    this.set(ended ? "ended" : "lost");
+  }
+
+  /** Name of the episode of this run. */
+  get episode(): string {
+    return this.recording.ended?.episode ?? this.id;
+  }
+
+  private set(connection: Connection): void {
+    this.connection = connection;
+    this.changed();
+  }
+
+  close(): void {
+    clearTimeout(this.later);
+    this.events?.close();
+    this.events = null;
+  }
 }

@@ -1,6 +1,6 @@
 // The side panel with the list of runs and episodes.
 import { el, fixed, hasChanged, percent, say } from "../dom.ts";
-import { goalState } from "../words.ts";
+import { endOf } from "../words.ts";
 import { clearRun, type Listed, type LiveRun, type Overview } from "./server.ts";
 import { describeEvents, makeStrip } from "./strip.ts";
 import { write } from "./address.ts";
@@ -117,7 +117,7 @@ export class Side {
     const facts = [formatHour(new Date(1000 * one.begun)), `${rounds} ${rounds === 1 ? "round" : "rounds"}`, `${fixed(one.seconds, 0)} s`];
     if (one.events.length) facts.push(describeEvents(one));
     if (!one.has_recording) facts.push("no recording");
-    if (one.verdict && !one.met) facts.push(one.verdict);
+    if (one.verdict && !one.met) facts.push(endOf(one).text);
     const interval = low !== null && high !== null ? `, 90\u202f% interval ${percent(low)} to ${percent(high)}` : "";
     return el("li", {}, this.makeLink("episode", one.id,
       el("span", { class: "s-title" }, el("span", {}, one.title),
@@ -129,10 +129,10 @@ export class Side {
 }
 
 /** Returns a badge with the state of the goal. */
-export function badge({ met, verdict, performance }: Pick<Listed, "met" | "verdict" | "performance">): HTMLElement {
-  const goal = goalState(met, verdict);
-  const state = goal === "unmet" && performance === null ? "none" : goal;
-  return el("span", { class: "s-badge", "data-state": state, title: verdict ?? "" }, { met: "met", unmet: "not met", unknown: "unknown", none: "\u2013" }[state]);
+export function badge(episode: Pick<Listed, "met" | "verdict" | "badge" | "performance">): HTMLElement {
+  const { state: goal, text } = endOf(episode);
+  const state = goal === "unmet" && episode.performance === null ? "none" : goal;
+  return el("span", { class: "s-badge", "data-state": state, title: text }, { met: "met", unmet: "not met", unknown: "unknown", none: "\u2013" }[state]);
 }
 
 const formatHour = (date: Date): string => date.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });

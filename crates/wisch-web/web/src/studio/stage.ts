@@ -1,16 +1,15 @@
 // The main area: one recording, or two side by side on one clock.
+import { Vector3 } from "three";
 import { Clock, onRest } from "../clock.ts";
 import { el, percent, say } from "../dom.ts";
 import { onNews } from "../frames.ts";
 import { Story } from "../story.ts";
 import { mountView, type View } from "../view.ts";
-import { stateOf } from "../words.ts";
 import type { Recording } from "../store.ts";
 import { write } from "./address.ts";
 import { Comparison, makeLetter } from "./compare.ts";
-import { linkCameras } from "./link.ts";
-import { stopRun } from "./server.ts";
-import type { LiveSource } from "./source.ts";
+import { stopRun, type Answers, type LiveSource } from "./server.ts";
+import { apply, episodesOf, shownOf } from "./shown.ts";
 
 export interface Source {
   id: string;
@@ -30,7 +29,6 @@ export interface StageActions {
 interface Pane extends Source {
   view: View;
   head: Head;
-  stop: () => void;
 }
 
 export class Stage {
@@ -74,7 +72,7 @@ export class Stage {
     if (!first || !second) return;
     const comparison = new Comparison([first.recording, second.recording], [first.id, second.id], clock);
     this.element.append(comparison.element);
-    this.stops.push(() => comparison.destroy(), linkCameras(this.panes.map(({ view: { stage }, recording }) => ({ camera: stage?.camera ?? null, recording }))));
+    this.stops.push(() => comparison.destroy(), linkCameras(this.panes));
   }
 
   private makePane(source: Source, shared: Clock | undefined, i: number): Pane {
@@ -84,12 +82,21 @@ export class Stage {
     const box = el("div", { class: "s-view" });
     this.element.append(el("div", { class: "s-pane" }, head.element, head.story, box));
     const view = mountView(box, recording, shared ? { compact: true, clock: shared } : {});
-    return { ...source, view, head, stop: onNews(recording, () => head.show()) };
+    return { ...source, view, head };
   }
 
-  /** Closes the summaries. */
-  closeStories(): void {
+  /** Shows one answer or all (`row` null): in an episode (`wanted`), or else in a shown one that they mention, or else in the one
+   * that `choose` returns. `load` shows another episode. */
+  async answer(answers: Answers, row: number | null, wanted: string | null, choose: (episodes: string[]) => string | undefined, load: (id: string) => Promise<void>): Promise<void> {
+    const episodes = episodesOf(answers, row);
+    const id = wanted ?? this.panes.find((one) => episodes.includes(one.id))?.id ?? choose(episodes);
+    if (!id) return;
+    const find = () => this.panes.find((one) => one.id === id);
+    if (!find()) await load(id);
+    const now = find();
+    if (!now) return;
     for (const { head } of this.panes) head.toggle(false);
+    apply(now.view, shownOf(answers, row, id, now.recording));
   }
 
   /** Gives the focus to the shown view. */
@@ -108,8 +115,7 @@ export class Stage {
   clear(): void {
     for (const stop of this.stops) stop();
     this.stops = [];
-    for (const { view, head, stop } of this.panes) {
-      stop();
+    for (const { view, head } of this.panes) {
       head.destroy();
       view.destroy();
     }
@@ -119,6 +125,30 @@ export class Stage {
     this.element.classList.remove("s-two");
     this.element.replaceChildren();
   }
+}
+
+/** Position of the surface, relative to which the camera moves. */
+const anchorOf = ({ rounds }: Recording): Vector3 => new Vector3(...(rounds[0]?.plan.surface.pose.slice(0, 3) ?? []));
+
+/** Links the cameras of views: each looks at its surface from the same direction and distance. Returns a function that ends this. */
+function linkCameras(panes: readonly Pane[]): () => void {
+  let copying = false;
+  const stops = panes.map(({ view: { stage }, recording }) => {
+    const moved = () => {
+      if (copying || !stage) return;
+      copying = true;
+      for (const other of panes) {
+        if (!other.view.stage || other.view.stage === stage) continue;
+        const shift = anchorOf(other.recording).sub(anchorOf(recording));
+        const { target, eye } = stage.camera.view;
+        other.view.stage.camera.followLinked({ target: target.add(shift), eye: eye.add(shift) }, stage.camera.asked);
+      }
+      copying = false;
+    };
+    stage?.camera.controls.addEventListener("change", moved);
+    return () => stage?.camera.controls.removeEventListener("change", moved);
+  });
+  return () => { for (const stop of stops) stop(); };
 }
 
 const CONNECTIONS = {
@@ -134,25 +164,26 @@ const CONNECTIONS = {
 class Head {
   readonly element: HTMLElement;
   readonly story: HTMLElement;
-  private readonly title = el("h1", {});
-  private readonly result = el("span", { class: "s-result" });
+  private readonly result = el("b", { title: "estimated performance, 90 % interval" });
   private readonly connection = el("span", { class: "s-connection", role: "status" });
   private readonly kept = el("span", { class: "s-kept w-quiet" });
   private readonly stopButton: HTMLButtonElement;
   private readonly storyButton: HTMLButtonElement;
   private readonly summary: Story;
   private wasLive: boolean;
+  private readonly stop: () => void;
 
   constructor(private readonly source: Source, private readonly whole: boolean, private readonly actions: StageActions, seek: (time: number) => void) {
     const { recording, id } = source;
     this.wasLive = source.live !== null;
     this.summary = new Story(recording, seek);
     this.story = el("div", { class: "s-story", hidden: true }, this.summary.element);
-    this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => void this.stopIt(id) }, "Stop");
+    this.stopButton = el("button", { class: "w-button s-stop", type: "button", hidden: true, click: () => this.stopIt(id) }, "Stop");
     this.storyButton = el("button", { class: "w-button", type: "button", "aria-pressed": "false", click: () => this.toggle(this.story.hidden) }, "Summary");
-    this.element = el("header", { class: "s-head" }, this.title, this.result, this.connection, this.kept,
+    this.element = el("header", { class: "s-head" }, this.summary.title, el("span", { class: "s-result" }, this.result, this.summary.badge), this.connection, this.kept,
       el("span", { class: "s-actions" }, this.stopButton, this.storyButton,
         whole && actions.compare && el("button", { class: "w-button", type: "button", click: () => actions.compare?.() }, "Compare")));
+    this.stop = onNews(recording, () => this.show());
     this.show();
   }
 
@@ -161,36 +192,27 @@ class Head {
     this.storyButton.setAttribute("aria-pressed", String(open));
   }
 
-  private async stopIt(id: string): Promise<void> {
+  private stopIt(id: string): void {
     this.stopButton.disabled = true;
     say(this.stopButton, "Stopping \u2026");
-    try {
-      await stopRun(id);
-    } catch (error) {
+    stopRun(id).catch((error: Error) => {
       this.stopButton.disabled = false;
       say(this.stopButton, "Stop");
-      say(this.connection, String((error as Error).message));
-    }
+      say(this.connection, error.message);
+    });
   }
 
   show(): void {
     const { recording, live, id } = this.source;
-    say(this.title, recording.head?.title ?? id);
-    const interpreted = recording.rounds.findLast((round) => round.interpreted)?.interpreted;
-    const { state, text } = stateOf(recording);
-    const parts: Node[] = [];
-    if (interpreted) {
-      const { mean, low, high } = interpreted.estimate;
-      parts.push(el("b", { title: "estimated performance, 90 % interval" }, percent(mean), el("small", {}, ` ${percent(low)} \u2013 ${percent(high)}`)));
-    }
-    if (recording.ended || state === "planned" || state === "logged") parts.push(el("span", { class: "s-badge", "data-state": state }, text));
-    this.result.replaceChildren(...parts);
+    const estimate = recording.rounds.findLast((round) => round.interpreted)?.interpreted?.estimate;
+    if (estimate) this.result.replaceChildren(percent(estimate.mean), el("small", {}, ` ${percent(estimate.low)} \u2013 ${percent(estimate.high)}`));
+    this.summary.badge.hidden = recording.live;
     const connection = live?.connection ?? "ended";
     this.connection.dataset.state = connection;
     say(this.connection, [CONNECTIONS[connection], live?.message ?? ""].filter((words) => words).join(": "));
     this.stopButton.hidden = !live || connection === "ended" || connection === "lost" || connection === "gone";
     const episode = live?.episode ?? id;
-    this.title.title = `${this.title.textContent} (${id})`;
+    this.summary.title.title = id;
     if (live && connection === "ended") {
       this.kept.replaceChildren(this.actions.isKept(episode)
         ? el("a", { href: write({ kind: "episode", ids: [episode], time: null, query: null }), title: episode }, "kept as an episode") : "not kept as an episode");
@@ -203,6 +225,7 @@ class Head {
   }
 
   destroy(): void {
+    this.stop();
     this.summary.destroy();
   }
 }

@@ -1,24 +1,23 @@
 // Layout of the timeline: positions of times and lanes, ticks and text.
 import { colour } from "../theme.ts";
 
-export interface Lane {
-  name: LaneName;
-  label: string;
-  top: number;
-  height: number;
-}
-export type LaneName = "axis" | "rounds" | "phases" | "contact" | "events" | "force" | "height" | "performance";
-
-const LABELS: Record<LaneName, string> = {
-  axis: "", rounds: "Round", phases: "Phase, stroke", contact: "Contact", events: "Events",
-  force: "Force [N]", height: "Tool height\n[mm]", performance: "Performance\n[%]",
+/** Labels and heights of the lanes [pixels]. Plots have a value axis. */
+const LANES = {
+  axis: { label: "", height: 20, plot: false },
+  rounds: { label: "Round", height: 20, plot: false },
+  phases: { label: "Phase, stroke", height: 18, plot: false },
+  contact: { label: "Contact", height: 12, plot: false },
+  events: { label: "Events", height: 18, plot: false },
+  force: { label: "Force [N]", height: 74, plot: true },
+  height: { label: "Tool height\n[mm]", height: 50, plot: true },
+  performance: { label: "Performance\n[%]", height: 88, plot: true },
 };
-const HEIGHTS: Record<LaneName, number> = { axis: 20, rounds: 20, phases: 18, contact: 12, events: 18, force: 74, height: 50, performance: 88 };
+export type LaneName = keyof typeof LANES;
+export type Lane = (typeof LANES)[LaneName] & { name: LaneName; top: number };
+
 /** Dashes of the simulator's truth and of predictions, on the timeline [pixels]. */
 export const TRUTH_DASH: [number, number] = [3, 2];
 export const PREDICTED_DASH = [1, 4];
-/** Lanes with a value axis. */
-export const PLOTS: ReadonlySet<LaneName> = new Set<LaneName>(["force", "height", "performance"]);
 const GAP = 4;
 
 /** Positions of times and lanes on the canvas [CSS pixels]. */
@@ -41,10 +40,10 @@ export class Frame {
     this.left = narrow ? 34 : 112;
     let top = 0;
     this.lanes = this.names.map((name) => {
-      const plot = PLOTS.has(name);
+      const { plot, height } = LANES[name];
       // On a narrow page, the label of a plot is above it.
       if (narrow && plot) top += 13;
-      const lane = { name, label: LABELS[name], top, height: Math.round(HEIGHTS[name] * (plot && tight ? 0.66 : 1)) };
+      const lane = { ...LANES[name], name, top, height: Math.round(height * (plot && tight ? 0.66 : 1)) };
       top += lane.height + GAP + (plot ? 4 : 0);
       return lane;
     });
@@ -77,9 +76,13 @@ const STEPS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 30
 /** Returns the step between time labels and their times, at most `most` of them [s]. */
 export function ticks(from: number, to: number, most: number): { step: number; times: number[] } {
   const step = STEPS.find((step) => (to - from) / step <= most) ?? (to - from) / most;
-  const times: number[] = [];
-  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + 1e-9; k++) times.push(k * step);
-  return { step, times };
+  return { step, times: multiplesOf(step, from, to) };
+}
+
+/** Returns the multiples of a step within an interval. */
+function multiplesOf(step: number, from: number, to: number): number[] {
+  const first = Math.ceil(from / step - 1e-9);
+  return Array.from({ length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) }, (_, k) => (first + k) * step);
 }
 
 /** Returns round values of an axis from `low` to `high`, about `most` of them. */
@@ -87,24 +90,34 @@ export function levels(low: number, high: number, most: number): number[] {
   const raw = (high - low) / most;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((k) => k * power).find((step) => step >= raw * 0.999) ?? raw;
-  const list: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k++) list.push(k * step);
-  return list;
+  return multiplesOf(step, low, high);
 }
 
 export type Pen = CanvasRenderingContext2D;
 
+/** How a text is drawn: also its colour, and the width to which it is shortened [pixels]. */
+interface Look {
+  size?: number;
+  weight?: number;
+  align?: CanvasTextAlign;
+  base?: CanvasTextBaseline;
+  name?: string;
+  room?: number;
+  /** Whether it is set off from what lies behind it. */
+  halo?: boolean;
+}
+
 /** Sets how texts are drawn. */
-export function setText(pen: Pen, size = 11, { weight = 400, align = "left" as CanvasTextAlign, base = "middle" as CanvasTextBaseline } = {}): void {
+export function setText(pen: Pen, { size = 11, weight = 400, align = "left", base = "middle", name = "quiet" }: Look = {}): void {
   pen.font = `${weight} ${size}px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif`;
   pen.textAlign = align;
   pen.textBaseline = base;
+  pen.fillStyle = colour(name);
 }
 
-/** Draws the ground of a lane. */
-export function fillLane(pen: Pen, frame: Frame, { top, height }: Lane): void {
-  pen.fillStyle = colour("lane");
-  pen.fillRect(frame.left, top, frame.span, height);
+export function fillBox(pen: Pen, name: string, x: number, y: number, width: number, height: number): void {
+  pen.fillStyle = colour(name);
+  pen.fillRect(x, y, width, height);
 }
 
 /** Draws on a part of the canvas only. */
@@ -117,15 +130,19 @@ export function drawClipped(pen: Pen, [x, y, width, height]: [number, number, nu
   pen.restore();
 }
 
-/** Draws text, shortened to `room` [pixels]; draws nothing if fewer than three letters fit. */
-export function drawFitted(pen: Pen, text: string, x: number, y: number, room: number): void {
+/** Draws a text; nothing if its room is too narrow for three letters. */
+export function drawText(pen: Pen, text: string, x: number, y: number, look: Look = {}): void {
+  const { room = Infinity, halo = false } = look;
   if (room < 14) return;
+  setText(pen, look);
   let shown = text.length > 200 ? text.slice(0, 200) : text;
   if (pen.measureText(shown).width > room) {
     while (shown.length > 1 && pen.measureText(`${shown}\u2026`).width > room) shown = shown.slice(0, -1);
     if (shown.length < 3) return;
     shown += "\u2026";
   }
+  [pen.strokeStyle, pen.lineWidth, pen.lineJoin] = [colour("paper"), 3, "round"];
+  if (halo) pen.strokeText(shown, x, y);
   pen.fillText(shown, x, y);
 }
 

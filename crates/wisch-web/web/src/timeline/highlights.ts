@@ -1,6 +1,6 @@
 // Highlighted intervals: bands over all lanes, with their names where space permits.
 import { colour } from "../theme.ts";
-import { drawFitted, setText, type Frame, type Lane, type Pen } from "./frame.ts";
+import { drawText, fillBox, setText, type Frame, type Lane, type Pen } from "./frame.ts";
 
 export interface Interval {
   start: number;
@@ -72,7 +72,8 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.fillRect(from, top - 3, to - from, 3);
     if (label) bands.push({ x: from + PADDING_PX, label });
   }
-  setText(pen, 10, { weight: 600 });
+  const look = { size: 10, weight: 600, name: "ink" };
+  setText(pen, look);
   for (const { text, x, width, row } of tagsOf(bands, (label) => pen.measureText(label).width, right)) {
     const middle = frame.height - 4 - (row + 0.5) * ROW_PX;
     pen.globalAlpha = 0.85;
@@ -81,8 +82,7 @@ export function drawHighlights(pen: Pen, frame: Frame, highlights: readonly Inte
     pen.roundRect(x - PADDING_PX, middle - ROW_PX / 2 + 1, width + 2 * PADDING_PX, ROW_PX - 2, 3);
     pen.fill();
     pen.globalAlpha = 1;
-    pen.fillStyle = colour("ink");
-    drawFitted(pen, text, x, middle + 0.5, width + 1);
+    drawText(pen, text, x, middle + 0.5, { ...look, room: width + 1 });
   }
 }
 
@@ -91,15 +91,12 @@ export function drawSelection(pen: Pen, frame: Frame, { top, height }: Lane, [st
   if (end < frame.from || start > frame.to) return;
   const right = frame.width - frame.right;
   const [from, to] = [start, end].map((time) => Math.min(right, Math.max(frame.left, frame.x(time)))) as [number, number];
-  pen.fillStyle = colour("paper");
   pen.globalAlpha = 0.65;
-  pen.fillRect(frame.left, top - 2, from - frame.left, height + 4);
-  pen.fillRect(to, top - 2, right - to, height + 4);
+  fillBox(pen, "paper", frame.left, top - 2, from - frame.left, height + 4);
+  fillBox(pen, "paper", to, top - 2, right - to, height + 4);
   pen.globalAlpha = 1;
   pen.strokeStyle = colour("accent");
   pen.lineWidth = 1.5;
   pen.strokeRect(from, top - 1, to - from, height + 2);
-  setText(pen, 10);
-  pen.fillStyle = colour("ink");
-  drawFitted(pen, text, from + 5, top + 7, to - from - 10);
+  drawText(pen, text, from + 5, top + 7, { size: 10, name: "ink", room: to - from - 10 });
 }

@@ -2,19 +2,17 @@
 import { clockText, phaseText } from "../dom.ts";
 import { colour } from "../theme.ts";
 import { endText } from "../words.ts";
-import { drawClipped, drawFitted, drawLine, fillLane, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
-import { PUSH, type Happening, type Round } from "../round.ts";
+import { drawClipped, drawLine, drawText, fillBox, setText, ticks, TRUTH_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
+import { PUSH, type Happening } from "../round.ts";
 import type { Recording } from "../store.ts";
 
 export function drawAxis(pen: Pen, frame: Frame, lane: Lane): void {
-  setText(pen, 11, { align: "center" });
   const { step, times } = ticks(frame.from, frame.to, Math.max(2, frame.span / 76));
   const digits = step < 0.1 ? 2 : step < 1 ? 1 : 0;
   for (const t of times) {
     const x = frame.x(t);
     drawLine(pen, x, lane.top + lane.height, x, frame.height, "grid");
-    pen.fillStyle = colour("quiet");
-    pen.fillText(clockText(t, digits), Math.min(Math.max(x, frame.left + 10), frame.width - 16), lane.top + lane.height / 2);
+    drawText(pen, clockText(t, digits), Math.min(Math.max(x, frame.left + 10), frame.width - 16), lane.top + lane.height / 2, { align: "center" });
   }
 }
 
@@ -26,7 +24,6 @@ function clipInterval(frame: Frame, start: number, end: number, least = 1): [num
 }
 
 export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  setText(pen, 11, { weight: 600 });
   for (const round of recording.rounds) {
     const place = clipInterval(frame, round.start, round.end);
     if (!place) continue;
@@ -35,68 +32,40 @@ export function drawRounds(pen: Pen, frame: Frame, lane: Lane, recording: Record
     pen.beginPath();
     pen.roundRect(from + 0.5, lane.top, Math.max(1, to - from - 1), lane.height, 4);
     pen.fill();
-    pen.fillStyle = colour("ink");
-    drawFitted(pen, `${round.number} \u00b7 ${endText(recording, round)}`, from + 7, lane.top + lane.height / 2 + 0.5, to - from - 12);
+    drawText(pen, `${round.number} \u00b7 ${endText(recording, round)}`, from + 7, lane.top + lane.height / 2 + 0.5, { weight: 600, name: "ink", room: to - from - 12 });
     if (round.start > frame.from) drawLine(pen, frame.x(round.start), lane.top, frame.x(round.start), frame.height, "rule");
   }
 }
 
 export function drawPhases(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  setText(pen, 10.5);
   for (const { start, plan, length } of recording.rounds) {
     for (const phase of plan.phases) {
       const place = clipInterval(frame, start + phase.start, start + Math.min(phase.end, Math.max(length, phase.start)));
       if (!place) continue;
       const [from, to] = place;
-      pen.fillStyle = colour(phase.contact ? "wiping" : "lane");
-      pen.fillRect(from, lane.top, Math.max(1, to - from - 1), lane.height);
-      pen.fillStyle = colour(phase.contact ? "ink" : "quiet");
+      fillBox(pen, phase.contact ? "wiping" : "lane", from, lane.top, Math.max(1, to - from - 1), lane.height);
       // Without space for its name, a stroke still gets its number.
       const number = phase.stroke === null ? "" : String(phase.stroke + 1);
       const text = number ? `${number} ${phase.name}` : phaseText(phase.name);
-      const y = lane.top + lane.height / 2 + 0.5;
-      if (number && pen.measureText(text).width > to - from - 7) {
-        if (pen.measureText(number).width <= to - from - 3) pen.fillText(number, (from + to - pen.measureText(number).width) / 2, y);
-      } else drawFitted(pen, text, from + 4, y, to - from - 7);
+      const [y, look] = [lane.top + lane.height / 2 + 0.5, { size: 10.5, name: phase.contact ? "ink" : "quiet" }];
+      setText(pen, look);
+      if (!number || pen.measureText(text).width <= to - from - 7) drawText(pen, text, from + 4, y, { ...look, room: to - from - 7 });
+      else if (pen.measureText(number).width <= to - from - 3) drawText(pen, number, (from + to) / 2, y, { ...look, align: "center" });
     }
   }
 }
 
-export function drawContact(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  fillLane(pen, frame, lane);
-  for (const round of recording.rounds) {
-    if (!clipInterval(frame, round.start, round.end)) continue;
-    const { contact, pushed } = round.contacts;
-    for (const [name, intervals] of [["contact", contact], ["pushed", pushed]] as const) {
-      pen.fillStyle = colour(name);
-      for (const [from, to] of intervals) {
-        const place = clipInterval(frame, round.start + from, round.start + to);
-        if (!place) continue;
-        if (name === "contact") pen.fillRect(place[0], lane.top, place[1] - place[0], lane.height);
-        else drawPushed(pen, lane, place);
-      }
-    }
-  }
-}
-
-/** Draws a push as a block with stripes, so that more than its colour tells it from contact. */
-function drawPushed(pen: Pen, lane: Lane, [from, to]: [number, number]): void {
-  pen.fillRect(from, lane.top, to - from, lane.height);
-  drawClipped(pen, [from, lane.top, to - from, lane.height], () => {
-    for (let x = from - lane.height; x < to; x += 5) drawLine(pen, x, lane.top + lane.height, x + lane.height, lane.top, "paper", 1.4);
-  });
-}
-
-/** Calls `draw` for each column of pixels with the index range of its samples. */
-export function forEachPixel(frame: Frame, round: Round, draw: (x: number, from: number, to: number) => void): void {
-  if (!round.count) return;
-  const first = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start)));
-  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.at(-1)!));
-  let from = round.place(frame.t(first) - round.start)[0];
-  for (let x = first; x <= last; x++) {
-    const to = round.place(frame.t(x + 1) - round.start)[0];
-    draw(x, from, Math.max(to, from + 1));
-    from = to;
+export function drawContact(pen: Pen, frame: Frame, { top, height }: Lane, recording: Recording): void {
+  fillBox(pen, "lane", frame.left, top, frame.span, height);
+  for (const { start, contacts } of recording.rounds) for (const name of ["contact", "pushed"] as const) for (const [from, to] of contacts[name]) {
+    const place = clipInterval(frame, start + from, start + to);
+    if (!place) continue;
+    const box: [number, number, number, number] = [place[0], top, place[1] - place[0], height];
+    fillBox(pen, name, ...box);
+    // Stripes, so that more than its colour tells a push from contact.
+    if (name === "pushed") drawClipped(pen, box, () => {
+      for (let x = place[0] - height; x < place[1]; x += 5) drawLine(pen, x, top + height, x + height, top, "paper", 1.4);
+    });
   }
 }
 
@@ -108,7 +77,7 @@ export const eventColour = ({ source, kind }: Happening): keyof typeof MARKS | "
   source === "push" ? "actual" : kind === PUSH ? "collision" : kind === "hand guiding" ? "hand" : "event";
 
 export function drawEvents(pen: Pen, frame: Frame, lane: Lane, recording: Recording): void {
-  fillLane(pen, frame, lane);
+  fillBox(pen, "lane", frame.left, lane.top, frame.span, lane.height);
   const middle = lane.top + lane.height / 2;
   for (const event of recording.happenings) {
     const place = clipInterval(frame, event.start, event.end, 3);

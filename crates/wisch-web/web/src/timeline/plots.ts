@@ -1,8 +1,7 @@
 // Plots over time: force, height and performance.
 import { fixed, percent } from "../dom.ts";
 import { colour } from "../theme.ts";
-import { forEachPixel } from "./lanes.ts";
-import { drawClipped, drawLine, levels, PREDICTED_DASH, setText, type Frame, type Lane, type Pen } from "./frame.ts";
+import { drawClipped, drawLine, drawText, fillBox, levels, PREDICTED_DASH, type Frame, type Lane, type Pen } from "./frame.ts";
 import type { PlotColumn } from "../columns.ts";
 import type { Estimate } from "../recording.ts";
 import type { Round } from "../round.ts";
@@ -13,11 +12,9 @@ type Scale = (value: number) => number;
 /** Draws the axis and grid of a plot; returns its scale. */
 function drawScale(pen: Pen, frame: Frame, lane: Lane, low: number, high: number, most: number, shown: (value: number) => string): Scale {
   const y = (value: number) => lane.top + lane.height - ((value - low) / (high - low)) * lane.height;
-  setText(pen, 10, { align: "right" });
   for (const value of levels(low, high, most)) {
     drawLine(pen, frame.left, y(value), frame.width - frame.right, y(value), Math.abs(value) < 1e-12 ? "rule" : "grid");
-    pen.fillStyle = colour("quiet");
-    pen.fillText(shown(value), frame.left - 5, Math.min(Math.max(y(value), lane.top + 4), lane.top + lane.height - 3));
+    drawText(pen, shown(value), frame.left - 5, Math.min(Math.max(y(value), lane.top + 4), lane.top + lane.height - 3), { size: 10, align: "right" });
   }
   return y;
 }
@@ -40,14 +37,14 @@ export function drawMeasured(pen: Pen, frame: Frame, lane: Lane, recording: Reco
   drawClipped(pen, plotArea(frame, lane), () => {
     for (const round of recording.rounds) {
       if (round.end < frame.from || round.start > frame.to || !round.count) continue;
-      const target = look.target?.(round) ?? null;
-      if (target !== null) drawTarget(pen, [Math.max(frame.left, frame.x(round.start)), frame.x(round.end)], y(target), frame.narrow || target === labelled ? "" : `target ${fixed(target, 1)}\u202fN`, true);
-      labelled = target;
       pen.strokeStyle = colour(look.name);
       pen.lineWidth = 1.5;
       pen.lineJoin = "round";
       const dense = round.count * ((frame.to - frame.from) / Math.max(round.length, 1e-9)) > 4 * frame.span;
       drawCurve(pen, (dense ? findEnvelope : findSamples)(frame, round, of(round), (value) => y(value * look.unit)));
+      const target = look.target?.(round) ?? null;
+      if (target !== null) drawTarget(pen, [Math.max(frame.left, frame.x(round.start)), frame.x(round.end)], y(target), frame.narrow || target === labelled ? "" : `target ${fixed(target, 1)}\u202fN`, true);
+      labelled = target;
     }
   });
 }
@@ -71,12 +68,13 @@ function findSamples(frame: Frame, round: Round, { data }: PlotColumn, y: Scale)
 /** Returns minimum and maximum of each column of pixels. */
 function findEnvelope(frame: Frame, round: Round, column: PlotColumn, y: Scale): Point[] {
   const points: Point[] = [];
-  forEachPixel(frame, round, (x, from, to) => {
-    const range = column.range(from, to + 1);
-    if (!range) return void points.push(null);
-    const [top, bottom] = [y(range[1]), y(range[0])];
-    points.push([x, bottom], [x, bottom - top < 0.7 ? bottom - 0.7 : top]);
-  });
+  const last = Math.min(frame.width - frame.right, frame.x(round.start + round.t.at(-1)!));
+  for (let x = Math.max(Math.floor(frame.left), Math.floor(frame.x(round.start))); x <= last; x++) {
+    const [from, to] = [x, x + 1].map((edge) => round.place(frame.t(edge) - round.start)[0]) as [number, number];
+    const range = column.range(from, Math.max(to, from + 1) + 1);
+    const [top, bottom] = range ? [y(range[1]), y(range[0])] : [];
+    points.push(...(range ? [[x, bottom!], [x, Math.min(top!, bottom! - 0.7)]] as Point[] : [null]));
+  }
   return points;
 }
 
@@ -103,14 +101,12 @@ export function drawPerformance(pen: Pen, frame: Frame, lane: Lane, recording: R
   });
 }
 
-/** Draws a target as a dashed line, with its label above or below it. */
+/** Draws a target as a dashed line, with its label above or below it, in front of curves. */
 function drawTarget(pen: Pen, [from, to]: [number, number], y: number, label: string, isAbove: boolean): void {
   pen.setLineDash([6, 4]);
   drawLine(pen, from, y, to, y, "target", 1.5);
   pen.setLineDash([]);
-  setText(pen, 10, { base: isAbove ? "bottom" : "top" });
-  pen.fillStyle = colour("target");
-  pen.fillText(label, from + 5, y + (isAbove ? -2 : 3));
+  drawText(pen, label, from + 5, y + (isAbove ? -2 : 3), { size: 10, base: isAbove ? "bottom" : "top", name: "target", halo: true });
 }
 
 function drawPrediction(pen: Pen, frame: Frame, round: Round, y: Scale): void {
@@ -136,8 +132,7 @@ export function bandOf(frame: Frame, round: Round, next: Round | undefined): [nu
 
 /** Draws an estimate with its interval. */
 function drawBand(pen: Pen, [from, to]: [number, number], { mean, low, high }: Estimate, y: Scale): void {
-  pen.fillStyle = colour("interval");
-  pen.fillRect(from, y(high), to - from, Math.max(1, y(low) - y(high)));
+  fillBox(pen, "interval", from, y(high), to - from, Math.max(1, y(low) - y(high)));
   for (const bound of [low, high]) drawLine(pen, from, y(bound), to, y(bound), "estimated", 1);
   drawLine(pen, from, y(mean), to, y(mean), "estimated", 2.4);
 }
@@ -150,7 +145,7 @@ function drawResult(pen: Pen, frame: Frame, round: Round, y: Scale): void {
   const predicted = round.growthAt(round.length);
   if (predicted !== null) drawJump(pen, x, y(predicted), y(estimate.mean));
   // Without a camera both estimates are one.
-  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch, "by-touch", 1.4, 3);
+  if (by_touch.low !== estimate.low || by_touch.high !== estimate.high) drawWhisker(pen, x - 13, y, by_touch);
   const truth = round.truth?.performance ?? null;
   if (truth === null) return;
   const at = y(truth);
@@ -169,12 +164,9 @@ function drawJump(pen: Pen, x: number, from: number, to: number): void {
   drawLine(pen, x + 3.5, to + back, x, to, "ink", 1.4);
 }
 
-function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate, name: string, width: number, cap: number): void {
-  drawLine(pen, x, y(low), x, y(high), name, width);
-  drawLine(pen, x - cap, y(low), x + cap, y(low), name, width);
-  drawLine(pen, x - cap, y(high), x + cap, y(high), name, width);
-  pen.fillStyle = colour(name);
-  pen.beginPath();
-  pen.arc(x, y(mean), 1.7 * width, 0, 2 * Math.PI);
-  pen.fill();
+/** Draws the estimate from touch. */
+function drawWhisker(pen: Pen, x: number, y: Scale, { mean, low, high }: Estimate): void {
+  drawLine(pen, x, y(low), x, y(high), "by-touch", 1.4);
+  for (const bound of [low, high]) drawLine(pen, x - 3, y(bound), x + 3, y(bound), "by-touch", 1.4);
+  fillBox(pen, "by-touch", x - 2.2, y(mean) - 2.2, 4.4, 4.4);
 }
