@@ -144,7 +144,7 @@ fn what_other_programs_read_is_read_with_a_warning() {
         (
             "0.5",
             "5.0",
-            "arm.srdf:3:40: robot: posture \"home\": joint \"joint_1\" is at 5, expected a position from -2.8973 to 2.8973; 2.8973 is used instead",
+            "arm.srdf:3:40: robot: posture \"home\": joint \"joint_1\" is at 5 rad, expected a position from -2.8973 to 2.8973 rad; 2.8973 rad is used instead",
         ),
         (
             "</group_state>",

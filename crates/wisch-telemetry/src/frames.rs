@@ -267,6 +267,23 @@ mod tests {
     }
 
     #[test]
+    fn a_constant_pose_that_changes_is_remarked() {
+        let mut frames = Frames::default();
+        let raised = |height| Pose::translation(0.0, 0.0, height);
+        frames.insert("world", "base", 0, raised(0.0), true);
+        frames.insert("base", "flange", 0, raised(0.3), false);
+        frames.insert("base", "flange", 9, raised(0.4), false);
+        assert_eq!(frames.remark_on_changes(), [""; 0]);
+        frames.insert("world", "base", 6, raised(0.02), true);
+        assert_eq!(
+            frames.remark_on_changes(),
+            [
+                "/tf_static states several poses of \"base\" in \"world\", 20.0 mm and 0.00° apart: the last one is used for the whole log"
+            ]
+        );
+    }
+
+    #[test]
     fn frames_are_found_up_and_down_the_tree() {
         let pose = |x: f64, angle: f64| Pose::new(Vector3::new(x, 0.0, 0.0), Vector3::z() * angle);
         let mut frames = Frames::default();

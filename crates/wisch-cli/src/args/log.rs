@@ -21,7 +21,7 @@ pub struct InterpretArgs {
     pub force: bool,
     /// Observation of the dirt after the log: a list of dirt locations (.csv), a bag with /wisch/dirt_after such as the log
     /// itself, or a photo by the task's camera
-    #[arg(long, alias = "seen", value_name = "FILE", value_hint = ValueHint::FilePath)]
+    #[arg(long, alias = "seen", help_heading = "Observation", value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub observation: Option<PathBuf>,
     /// Print one JSON object instead of the summary
     #[arg(long, help_heading = "Results")]

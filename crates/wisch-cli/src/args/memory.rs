@@ -7,6 +7,7 @@ use wisch_memory::neem::NeemConfig;
 
 /// The memory that keeps a run as an episode.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Memory")]
 pub struct KeepArgs {
     /// Folder of the memory that stores the run as an episode with its telemetry
     #[arg(long, value_name = "DIR", default_value = DEFAULT_MEMORY, value_hint = ValueHint::DirPath)]
@@ -109,7 +110,7 @@ pub struct ImportArgs {
     #[command(flatten)]
     pub source: LoggedArgs,
     /// Time of the log's first sample, in seconds since 1970 (UTC) [default: from the log]
-    #[arg(long, value_name = "SECONDS", value_parser = start_s)]
+    #[arg(long, help_heading = "Memory", value_name = "SECONDS", value_parser = start_s)]
     pub start_s: Option<f64>,
     /// The memory.
     #[command(flatten)]

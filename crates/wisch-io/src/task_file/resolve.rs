@@ -75,10 +75,10 @@ impl TaskFile {
             });
         }
         if action == Action::Skim && surface.skim_edges.is_empty() {
-            return Err(TaskError::Missing {
+            return Err(TaskError::Inconsistent {
                 at: self.surface.at.clone(),
-                table: "surface".to_owned(),
-                key: "skim_edges",
+                key: "surface".to_owned(),
+                problem: "key \"skim_edges\" is missing: a skim pushes the dirt over edges of the surface, such as skim_edges = [\"y_min\"]".to_owned(),
             });
         }
         let treatment = self.treatment(action)?;

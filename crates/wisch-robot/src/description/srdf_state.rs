@@ -136,10 +136,13 @@ impl Srdf {
                 && !(limits.lower..=limits.upper).contains(&position)
             {
                 let within = position.clamp(limits.lower, limits.upper);
+                let unit = robot.variable(variable).kind.unit();
+                let [at, lower, upper, used] = [position, limits.lower, limits.upper, within]
+                    .map(|position| (position * 1e6).round() / 1e6);
                 let w = words(
-                    format!("posture {name:?}: joint {joint_name:?} is at {position}"),
-                    format!("a position from {} to {}", limits.lower, limits.upper),
-                    format!("{within} is used instead; correct the value"),
+                    format!("posture {name:?}: joint {joint_name:?} is at {at} {unit}"),
+                    format!("a position from {lower} to {upper} {unit}"),
+                    format!("{used} {unit} is used instead; correct the value"),
                 );
                 self.warn_at(reader, joint, w)?;
                 position = within;

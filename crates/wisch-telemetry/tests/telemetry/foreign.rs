@@ -109,6 +109,29 @@ fn in_millimetres() -> LogOptions {
 }
 
 #[test]
+fn a_topic_of_two_sensors_is_refused() {
+    let (_folder, path) = in_folder();
+    let mut bag = Foreign::create(&path);
+    let (pose, wrench) = (bag.poses("/arm/pose"), bag.wrenches("/arm/wrench"));
+    for time in (0..=1000).step_by(10) {
+        let frame = if time % 20 == 0 {
+            "left_ft"
+        } else {
+            "right_ft"
+        };
+        let force = [0.0, 0.0, if time % 20 == 0 { 10.0 } else { 0.0 }];
+        bag.put(pose, time, time, "base", ([time as f64, 0.0, 0.0], UPRIGHT));
+        bag.put(wrench, time, time, frame, (force, [0.0; 3]));
+    }
+    bag.finish();
+    let error = read(&path, &LogOptions::default()).unwrap_err().to_string();
+    assert!(
+        error.contains("/arm/wrench: its messages are in the frames \"left_ft\" and \"right_ft\""),
+        "{error}"
+    );
+}
+
+#[test]
 fn a_foreign_bag_is_read() {
     let (_folder, path) = in_folder();
     for stamp_offset in [0, 7_000] {

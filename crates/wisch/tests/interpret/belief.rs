@@ -5,6 +5,7 @@ use super::log::{STEEP, Script, task};
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::interpret::{
     Belief, DirtPrior, Doubt, InterpretConfig, Interpreter, ObservationUpdate, TouchSample,
+    interpret,
 };
 use wisch::represent::{
     Cluster, Fate, GoalState, Observation, ParticleDistribution, SensorModel, Sight, Task,
@@ -240,6 +241,47 @@ fn an_observation_that_contradicts_touch_raises_a_doubt_and_widens_the_interval(
         !more.is_conclusive() && estimate.low < 0.1 && estimate.high > 0.8,
         "{estimate:?}"
     );
+}
+
+#[test]
+fn the_first_observation_does_not_prove_that_the_camera_detects_dirt() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    // The members differ in the number of grains, so that one stroke of three leaves 20 to 60 of them.
+    let members = (0..64).map(|k| {
+        let some = task.particles.remaining().take(40 + k % 41);
+        ParticleDistribution::new(&some.collect::<Vec<_>>()).unwrap()
+    });
+    let belief = Belief::from_members(members.collect()).unwrap();
+    let script = Script {
+        strokes: vec![[Point2::new(-0.16, 0.0), Point2::new(0.16, 0.0)]],
+        ..Script::default()
+    };
+    let after = |belief: &Belief, count: usize| {
+        let seen = Observation {
+            detections: places(count, 0.1),
+            hidden: Region::default(),
+        };
+        let mut felt = interpret(&script.samples(&task), &task, belief, &goal, &config).unwrap();
+        felt.observe(&update(&task, &goal, &seen));
+        felt
+    };
+    let touch = interpret(&script.samples(&task), &task, &belief, &goal, &config).unwrap();
+    let low = touch.performance.low;
+    let unseen = after(&belief, 0);
+    assert!(
+        unseen.performance.low < low + 0.1,
+        "{:?}",
+        unseen.performance
+    );
+    let first = Observation {
+        detections: task.particles.remaining().take(60).collect(),
+        hidden: Region::default(),
+    };
+    let seen_before = belief.observe(&update(&task, &goal, &first));
+    let clean = after(&seen_before, 1);
+    assert!(clean.performance.low > low + 0.1, "{:?}", clean.performance);
 }
 
 #[test]

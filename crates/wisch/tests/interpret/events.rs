@@ -3,7 +3,7 @@
 use super::log::{Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
-use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Touch, Uncertainty};
+use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, InterpretConfig, Touch, Uncertainty};
 use wisch::represent::Fate;
 
 /// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
@@ -19,6 +19,74 @@ pub fn lifted() -> Script {
         }],
         ..script
     }
+}
+
+#[test]
+fn steady_friction_is_no_push() {
+    let by_hand = |script: &Script| -> Vec<Event> {
+        let events = interpreted(script).events;
+        events
+            .into_iter()
+            .filter(|event| event.kind.is_by_hand())
+            .collect()
+    };
+    for friction in [0.4, 1.0, 1.6, 2.0] {
+        let script = Script {
+            friction,
+            ..Script::default()
+        };
+        let found = by_hand(&script);
+        assert!(found.is_empty(), "at {friction}: {found:?}");
+        // A hand that drags the tool harder than friction does is still found.
+        let [start, end] = script.contacts()[1];
+        let middle = 0.5 * (start + end);
+        let hand = Hand {
+            start: middle - 0.3,
+            end: middle + 0.3,
+            off: Vector3::zeros(),
+            force: Vector3::new(-45.0, 0.0, PRESS),
+        };
+        let pushed = by_hand(&Script {
+            hands: vec![hand],
+            ..script
+        });
+        assert_eq!(pushed.len(), 1, "at {friction}: {pushed:?}");
+    }
+}
+
+#[test]
+fn many_short_gaps_leave_a_lower_bound() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let mut samples = Script::default().samples(&task);
+    let whole = interpreted_with(&samples, &task, &config);
+    assert!(!whole.is_lower_bound());
+    // A sixth of each second is left.
+    samples.retain(|sample| sample.time.fract() < 1.0 / 6.0);
+    let part = interpreted_with(&samples, &task, &config);
+    assert!(part.is_lower_bound(), "{:?}", part.doubts);
+    let last = whole.path.last().unwrap().time[1];
+    let mut samples = Script::default().samples(&task);
+    samples.retain(|sample| sample.time < 0.5 * last || sample.time > 0.5 * last + 1.8);
+    let contacts = events(
+        &interpreted_with(&samples, &task, &config),
+        EventKind::Contact,
+    );
+    let longest = contacts
+        .iter()
+        .map(|event| event.end - event.start)
+        .fold(0.0, f64::max);
+    assert!(longest < 4.0, "{contacts:?}");
+}
+
+#[test]
+fn a_force_that_varies_about_the_declared_one_presses_with_it() {
+    let script = Script {
+        press: |at| PRESS + 5.0 * (60.0 * at.x).sin(),
+        ..Script::default()
+    };
+    let pressed = interpreted(&script).pressed_force.unwrap();
+    assert!((pressed - PRESS).abs() < 1.0, "{pressed} N");
 }
 
 #[test]

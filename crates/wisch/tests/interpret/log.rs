@@ -85,6 +85,8 @@ pub struct Script {
     pub press: fn(Point2) -> f64,
     pub hands: Vec<Hand>,
     pub bias: f64,
+    /// Coefficient of friction [1].
+    pub friction: f64,
     pub force_noise: f64,
     pub position_noise: f64,
     pub rate: f64,
@@ -108,6 +110,7 @@ impl Default for Script {
             press: |_| PRESS,
             hands: vec![],
             bias: 0.0,
+            friction: FRICTION,
             force_noise: 0.5,
             position_noise: 1e-4,
             rate: 1000.0,
@@ -195,7 +198,7 @@ impl Script {
                     break;
                 }
                 let mut along = (moved - begin) / duration;
-                let mut friction = FRICTION;
+                let mut friction = self.friction;
                 if wipes && self.stick_slip > 0.0 {
                     let phase = std::f64::consts::TAU * self.stick_slip * (moved - begin);
                     along -= phase.sin() / (std::f64::consts::TAU * self.stick_slip * duration);

@@ -16,7 +16,8 @@ const LEAST_CONTACTS: usize = 50;
 /// ones is that of the tool, and how far beyond its upper quartile wiping may go then [1].
 const STEADY_FRICTION: f64 = 0.25;
 const OVER_FRICTION: f64 = 1.2;
-/// Least way over four pieces that has a direction [m], and least cosine between it and the force of friction [1].
+/// Least way over four pieces that has a direction [m], and least cosine between its opposite and the force of friction
+/// [1].
 const LEAST_WAY: f64 = 1e-3;
 const ALONG: f64 = 0.8;
 
@@ -241,7 +242,7 @@ fn measure_friction(
     let quantile = |share: usize| ratios[(ratios.len() - 1) * share / 100];
     let [low, middle, high] = [25, 50, 75].map(quantile);
     let is_steady = high - low <= STEADY_FRICTION * middle;
-    let limit = if middle > limit && is_steady && drags_forward(pieces, path) {
+    let limit = if middle > limit && is_steady && opposes_motion(pieces, path) {
         limit.max(OVER_FRICTION * high)
     } else {
         limit
@@ -252,19 +253,19 @@ fn measure_friction(
     }
 }
 
-/// Whether the tool's force on the surface points along its motion in most of the confident contacts, as that of
-/// friction does. The force of a hand that pulls the tool along points the other way.
-fn drags_forward(pieces: &[MeasuredPiece], path: &[PathPiece]) -> bool {
-    let (mut forward, mut all) = (0, 0);
+/// Whether the force on the tool points against its motion in most of the confident contacts, as friction does. The force
+/// of a hand that pulls the tool along points the other way.
+fn opposes_motion(pieces: &[MeasuredPiece], path: &[PathPiece]) -> bool {
+    let (mut against, mut all) = (0, 0);
     for i in 2..path.len().saturating_sub(2) {
         let way = path[i + 2].position.xy() - path[i - 2].position.xy();
         if path[i].touch == Touch::Confident && way.norm() > LEAST_WAY {
             all += 1;
             let force = pieces[i].force.xy();
-            forward += usize::from(force.dot(&way) >= ALONG * force.norm() * way.norm());
+            against += usize::from(-force.dot(&way) >= ALONG * force.norm() * way.norm());
         }
     }
-    all >= LEAST_CONTACTS && forward * 5 >= all * 4
+    all >= LEAST_CONTACTS && against * 5 >= all * 4
 }
 
 /// A stretch of pieces that may be an event.
