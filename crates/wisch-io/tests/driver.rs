@@ -299,6 +299,11 @@ done("stopped")
             "at 0 s stamp_ns is 4611686018427387904, beyond the limit of 2147483647000000000",
         ),
         (
+            "\"stamp_clock\": \"device\"",
+            "sample(0, stamp_ns=7)\nsample(1, stamp_ns=7)\nsample(2, stamp_ns=6)",
+            "stamp_ns is 6, less than 7 of an earlier sample",
+        ),
+        (
             "\"stamp_clock\": \"sundial\"",
             "",
             "unknown clock of stamps \"sundial\"",

@@ -71,6 +71,11 @@ pub struct RunResults {
     pub considered: Option<Vec<CandidateEvaluation>>,
     /// Range of the number of detections that were expected before the first round, if the camera detects none.
     pub unseen: Option<[f64; 2]>,
+    /// Whether a camera observed the dirt before the first round.
+    pub is_observed: bool,
+    /// Whether the run ended without an executed round and without an observation, so that nothing shows whether the goal
+    /// is met.
+    pub is_unmeasured: bool,
     /// The executed rounds.
     pub rounds: Vec<FinishedRound>,
     /// The recording for its page, as JSON lines; empty if no page is made.
@@ -104,6 +109,8 @@ impl RunResults {
             predicted: Some((planned.prediction.clone(), frames)),
             considered: None,
             unseen: session.unseen_dirt(),
+            is_observed: session.first_observation().is_some(),
+            is_unmeasured: false,
             rounds: Vec::new(),
             recording: Vec::new(),
             packed: Vec::new(),
@@ -133,21 +140,28 @@ impl RunResults {
                 truth,
             }
         }));
+        self.is_unmeasured = self.rounds.is_empty() && !self.is_observed;
     }
 
-    /// Whether the goal is met: by the last round's estimate, or without executed rounds by the prediction, if particles
-    /// react as it assumes.
+    /// Whether the goal is met: by the last round's estimate. A run without executed rounds must have observed the dirt. For
+    /// a prediction, the goal is met if the particles react as it assumes.
     pub fn is_goal_met(&self, target: f64) -> bool {
         if let Some(last) = self.rounds.last() {
             return last.round.verdict == Verdict::GoalMet;
         }
-        self.is_predicted(target) && !self.needs_stronger_reaction(target) && self.unseen.is_none()
+        let is_known = self.unseen.is_none() && !self.is_unmeasured;
+        self.is_predicted(target) && !self.needs_stronger_reaction(target) && is_known
     }
 
     /// Whether the prediction reaches the target, but fewer particles than the target react to the press force, which the
     /// prediction does not count. Never so after an executed round.
     pub fn depends_on_reaction(&self, target: f64) -> bool {
         self.rounds.is_empty() && self.is_predicted(target) && self.needs_stronger_reaction(target)
+    }
+
+    /// Whether only a prediction says that the goal is met, although a run has ended.
+    pub fn is_only_predicted(&self, target: f64) -> bool {
+        self.is_unmeasured && self.is_predicted(target)
     }
 
     fn needs_stronger_reaction(&self, target: f64) -> bool {

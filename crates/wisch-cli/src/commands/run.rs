@@ -381,6 +381,11 @@ fn remark_unseen(results: &RunResults) {
             "the camera detects no dirt, where {least:.0} to {most:.0} detections were expected: the surface is clean, or the camera does not see the dirt; nothing was wiped (--touch-only wipes without the camera)"
         ));
     }
+    if results.is_unmeasured && results.plan.strokes.is_empty() {
+        remark(
+            "nothing was wiped, as no stroke is predicted to bring dirt to the goal, and nothing shows where the dirt is: a camera would (perception.senses), or a smaller goal area for collect",
+        );
+    }
 }
 
 /// States that plans are compared without the task's robot, where another command compares them with it.
@@ -639,6 +644,8 @@ fn predict_without_robot(
         predicted,
         considered: None,
         unseen: None,
+        is_observed: false,
+        is_unmeasured: false,
         rounds: Vec::new(),
         recording: Vec::new(),
         packed: Vec::new(),

@@ -81,7 +81,8 @@ fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
     match goal_of(&results.rounds, target) {
         _ if results.is_goal_met(target) => "met",
         Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
-        None if results.unseen.is_some() || results.depends_on_reaction(target) => "unknown",
+        None if results.unseen.is_some() || results.is_only_predicted(target) => "unknown",
+        None if results.depends_on_reaction(target) => "unknown",
         _ => "not met",
     }
 }
@@ -150,7 +151,10 @@ fn performance_in_words(
             "not met: too many points above max_passes"
         }
         None if prediction.undetected.is_some() => "unknown, no dirt is detected",
-        None if prediction.goal == "unknown" => "unknown, see reaction",
+        None if prediction.goal == "unknown" && prediction.reaction_probability < target => {
+            "unknown, see reaction"
+        }
+        None if prediction.goal == "unknown" => "unknown, nothing was wiped",
         _ => prediction.goal,
     };
     let what = if summary.treatment.is_some() {

@@ -317,6 +317,8 @@ pub struct Intake<'a> {
     /// Whether the executor was asked to stop for another reason than an abort.
     is_stop_requested: bool,
     stamp_clock: Option<StampClock>,
+    /// Stamp of the last sample that had one [ns].
+    last_stamp: u64,
     pauses: Vec<Pause>,
     dropped: usize,
 }
@@ -335,6 +337,7 @@ impl<'a> Intake<'a> {
             is_stopped: false,
             is_stop_requested: false,
             stamp_clock: None,
+            last_stamp: 0,
             pauses: Vec::new(),
             dropped: 0,
         }
@@ -501,7 +504,16 @@ impl<'a> Intake<'a> {
             return Ok(());
         };
         let stamp = match (sample.stamp_ns, self.stamp_clock) {
-            (Some(nanoseconds), Some(clock)) => Some(Stamp { nanoseconds, clock }),
+            (Some(nanoseconds), Some(_)) if nanoseconds < self.last_stamp => {
+                return Err(format!(
+                    "at {} s stamp_ns is {nanoseconds}, less than {} of an earlier sample",
+                    self.since, self.last_stamp
+                ));
+            }
+            (Some(nanoseconds), Some(clock)) => {
+                self.last_stamp = nanoseconds;
+                Some(Stamp { nanoseconds, clock })
+            }
             (Some(_), None) => {
                 let time = self.since;
                 return Err(format!(

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::geometry::{Pose, Vector3};
 use crate::represent::Task;
-use crate::robot::{Articulation, ArticulationState};
+use crate::robot::{Articulation, ArticulationState, JointKind};
 
 /// Largest deviation of a joint from its path in free motion [rad or m]; small against the clearance.
 const FREE_BLEND: f64 = 5e-4;
@@ -70,7 +70,8 @@ pub(super) fn time_motion(
             ..TimingConfig::default()
         };
         let fastest = time_path(joints, cell.limits(), &timing)?;
-        Ok(slow_to_efforts(cell, fastest)?.with_acceleration_ramp(config.acceleration_ramp))
+        let slowed = slow_to_efforts(cell, fastest, cell.tool_load(task, phase))?;
+        Ok(slowed.with_acceleration_ramp(config.acceleration_ramp))
     };
     let ways = (speed.is_finite().then(|| measure_ways(cell, path))).transpose()?;
     let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
@@ -131,9 +132,14 @@ fn divide_steps(path: &[Vec<f64>]) -> Vec<Vec<f64>> {
     divided
 }
 
-/// Slows a motion down until no joint exceeds its effort limit by its weight and the robot's own inertia, mimic
-/// joints included. Weight alone beyond a limit is left to the audit to report.
-fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory, FollowError> {
+/// Slows a motion down until no joint exceeds its effort limit by its weight, the robot's own inertia and the force of
+/// the surface on the tool \[N\], mimic joints included. Weight and force alone beyond a limit are left to the audit to
+/// report.
+fn slow_to_efforts(
+    cell: &Workcell,
+    trajectory: Trajectory,
+    load: Option<f64>,
+) -> Result<Trajectory, FollowError> {
     let robot = cell.robot();
     let all = vec![true; robot.dof()];
     let articulation = Articulation::new(
@@ -177,9 +183,18 @@ fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory
         articulation.inverse_dynamics(&mut state, &at_rest, &at_rest, GRAVITY);
         let carrying = efforts(&state);
         articulation.inverse_dynamics(&mut state, &sample.qd, &sample.qdd, GRAVITY);
-        for ((whole, carrying), limit) in efforts(&state).iter().zip(carrying).zip(&limits) {
+        let moving: Vec<f64> = (efforts(&state).iter().zip(&carrying))
+            .map(|(whole, carrying)| whole - carrying)
+            .collect();
+        let mut carrying = carrying;
+        if let Some(force) = load {
+            let pressing = press_efforts(cell, &sample.q, force)?;
+            for (effort, joint) in carrying.iter_mut().zip(articulation.joints()) {
+                *effort += pressing[joint.id.index()];
+            }
+        }
+        for ((moving, carrying), limit) in moving.iter().zip(carrying).zip(&limits) {
             // The effort left in the direction of the motion.
-            let moving = whole - carrying;
             let left = EFFORT_SHARE * limit - carrying * moving.signum();
             if left > LEAST_LEFT * limit && left.is_finite() {
                 // Slower by a factor s, the efforts of the motion shrink by s²; s² is the largest ratio needed.
@@ -192,6 +207,44 @@ fn slow_to_efforts(cell: &Workcell, trajectory: Trajectory) -> Result<Trajectory
     } else {
         trajectory
     })
+}
+
+/// Returns the effort by which each joint holds its tool against the force of the surface, in the order of the robot's
+/// joints \[Nm or N\]: −Jᵀ F, where a joint that moves others has their efforts too.
+fn press_efforts(cell: &Workcell, q: &[f64], force: f64) -> Result<Vec<f64>, FollowError> {
+    let robot = cell.robot();
+    let kinematics = robot.forward_kinematics(q)?;
+    let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
+    let reaction = root_from_tool.rotation * Vector3::z() * force;
+    let place = root_from_tool.translation.vector;
+    let mut through = vec![0.0; robot.joints().len()];
+    for (i, joint) in robot.joints().iter().enumerate() {
+        let is_above = robot
+            .joints_above(cell.tip())
+            .any(|other| other.child == joint.child);
+        if is_above {
+            let root_from_joint = kinematics.world_from_link(joint.child);
+            let axis = root_from_joint.rotation * joint.axis.into_inner();
+            through[i] = -match joint.kind {
+                JointKind::Fixed => 0.0,
+                JointKind::Revolute => {
+                    let arm = place - root_from_joint.translation.vector;
+                    axis.dot(&arm.cross(&reaction))
+                }
+                JointKind::Prismatic => axis.dot(&reaction),
+            };
+        }
+    }
+    let mut of_variables = vec![0.0; robot.dof()];
+    for (joint, effort) in robot.joints().iter().zip(&through) {
+        for &(variable, factor) in &joint.drive.terms {
+            of_variables[variable] += factor * effort;
+        }
+    }
+    for (variable, id) in robot.variables().iter().enumerate() {
+        through[id.index()] = of_variables[variable];
+    }
+    Ok(through)
 }
 
 /// Returns the times at which efforts are checked: periodic, and on both sides of every jump of the

@@ -1,12 +1,12 @@
-//! Efforts of the audit: joint efforts for the robot's own weight and inertia, link by link.
+//! Efforts of the audit: joint efforts for the robot's own weight and inertia and for the press force, link by link.
 //!
 //! Newton-Euler equations of every link in the frame of the root, summed from the links outward (Luh, Walker,
 //! Paul 1980).
 
 use super::kinematics::{Frame, moved_by};
 use crate::follow::TrajectorySample;
-use crate::geometry::Vector3;
-use crate::robot::{Joint, JointKind, RobotModel};
+use crate::geometry::{Pose, Vector3};
+use crate::robot::{Joint, JointKind, LinkId, RobotModel};
 
 /// Motion of a link, in the frame of the root.
 #[derive(Debug, Clone)]
@@ -18,12 +18,23 @@ struct LinkMotion {
     acceleration: Vector3,
 }
 
+/// Force of the surface on a tool.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ToolLoad {
+    /// The link that holds the tool, and the tool in its frame.
+    pub(super) tip: LinkId,
+    pub(super) tip_from_tool: Pose,
+    /// Size of the force, along the tool's z axis [N].
+    pub(super) force: f64,
+}
+
 /// Returns the effort of every joint [Nm or N] in the order of the robot's, as if each had its own drive; 0 for
 /// a fixed joint. Gravity is given in the frame of the root [m/s²].
 pub(super) fn joint_efforts(
     robot: &RobotModel,
     sample: &TrajectorySample,
     gravity_in_root: Vector3,
+    load: Option<&ToolLoad>,
 ) -> Vec<f64> {
     let rate = |joint: &Joint, of: &[f64]| -> f64 {
         let terms = joint.drive.terms.iter();
@@ -80,6 +91,21 @@ pub(super) fn joint_efforts(
             (force, moment + (motion.frame.origin + arm).cross(&force))
         })
         .collect();
+    if let Some(load) = load {
+        // The joints carry what the surface does not.
+        let Frame { rotation, origin } = links[load.tip.index()].frame;
+        let turned = rotation
+            * load
+                .tip_from_tool
+                .rotation
+                .to_rotation_matrix()
+                .into_inner();
+        let place = origin + rotation * load.tip_from_tool.translation.vector;
+        let reaction = turned * Vector3::z() * load.force;
+        let (force, moment) = &mut wrenches[load.tip.index()];
+        *force -= reaction;
+        *moment -= place.cross(&reaction);
+    }
     let mut efforts = vec![0.0; axes.len()];
     for (i, joint) in robot.joints().iter().enumerate().rev() {
         let (force, moment) = wrenches[joint.child.index()];
@@ -116,7 +142,7 @@ mod tests {
             qd: wave(1.3),
             qdd: wave(2.9),
         };
-        let efforts = joint_efforts(&robot, &sample, gravity);
+        let efforts = joint_efforts(&robot, &sample, gravity, None);
         let mut of_variables = vec![0.0; robot.dof()];
         for (joint, effort) in robot.joints().iter().zip(efforts) {
             for &(variable, factor) in &joint.drive.terms {

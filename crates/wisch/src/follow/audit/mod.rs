@@ -25,7 +25,7 @@ use crate::follow::{
 use crate::geometry::Vector3;
 use crate::represent::Task;
 use crate::robot::{Joint, LimitFault, RobotError, RobotModel};
-use dynamics::joint_efforts;
+use dynamics::{ToolLoad, joint_efforts};
 use line::{Line, off_grip, world_from_tool};
 use surface::{SurfaceCheck, SurfaceFault};
 
@@ -67,11 +67,12 @@ pub enum MotionFault {
         /// The joint and its limit.
         fault: crate::robot::LimitFault,
     },
-    /// A joint needs more effort than its limit to carry and accelerate the robot's own bodies, without tool
-    /// and contact.
+    /// A joint needs more effort than its limit to carry and accelerate the robot's own bodies, and to press with the
+    /// task's force in contact. The tool's weight and friction are not counted.
     #[error(
-        "at {time:.3} s: joint {joint:?} needs {} {unit} to carry and move the robot, more than its limit of {limit} {unit}",
-        format_beside_limit(*limit, *effort, 2)
+        "at {time:.3} s: joint {joint:?} needs {} {unit} to carry and move the robot{}, more than its limit of {limit} {unit}",
+        format_beside_limit(*limit, *effort, 2),
+        press.map_or_else(String::new, |force| format!(" and to press with {force} N"))
     )]
     Effort {
         /// Time \[s\].
@@ -84,6 +85,8 @@ pub enum MotionFault {
         limit: f64,
         /// "Nm" or "N".
         unit: &'static str,
+        /// Press force that it includes \[N\]; `None` out of contact.
+        press: Option<f64>,
     },
     /// A motion does not begin where and when the last one ends.
     #[error(
@@ -226,7 +229,8 @@ fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
 /// Checks every motion against the limits of the robot, the cell and the task.
 ///
 /// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
-/// - Efforts for the robot's own weight and inertia are within their limits.
+/// - Efforts for the robot's own weight and inertia, and in contact for the press force, are within their limits. The
+///   press force is not counted for a tool in two hands.
 /// - Bodies keep their clearance at every time.
 /// - The tool keeps its limits of speed and its line, and the second hand its grip.
 /// - Each motion begins where and when the last one ends.
@@ -270,7 +274,7 @@ pub fn audit(
         before = Some((motion.start + last.time, last.q.clone()));
         check_ranges(motion, &samples, robot, &mut audit.faults);
         check_timing(number, &samples, &moving, &mut audit.faults)?;
-        check_efforts(motion, &samples, cell, &mut audit.faults);
+        check_efforts(motion, &samples, cell, task, &mut audit.faults);
         check_clearance(motion, &samples, cell, &mut audit)?;
         check_base(number, motion.phase, &samples, cell, &mut audit.faults);
         let surface_faults = surface
@@ -444,13 +448,19 @@ fn check_efforts(
     motion: &Motion,
     samples: &[TrajectorySample],
     cell: &Workcell,
+    task: &Task,
     faults: &mut Vec<MotionFault>,
 ) {
     let robot = cell.robot();
     let gravity_in_root = cell.world_from_root().rotation.inverse() * GRAVITY;
+    let load = cell.tool_load(task, motion.phase).map(|force| ToolLoad {
+        tip: cell.tip(),
+        tip_from_tool: *cell.tip_from_tool(),
+        force,
+    });
     let is_variable = |i: usize| robot.variables().iter().any(|id| id.index() == i);
     for sample in samples {
-        let through = joint_efforts(robot, sample, gravity_in_root);
+        let through = joint_efforts(robot, sample, gravity_in_root, load.as_ref());
         let mut of_variables = vec![0.0; robot.dof()];
         for (joint, effort) in robot.joints().iter().zip(&through) {
             for &(variable, factor) in &joint.drive.terms {
@@ -472,6 +482,7 @@ fn check_efforts(
                     effort,
                     limit,
                     unit: joint.kind.effort_unit(),
+                    press: load.map(|load| load.force),
                 });
             }
         }

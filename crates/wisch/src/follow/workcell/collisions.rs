@@ -5,7 +5,7 @@ use super::grasp::{relax, without_rim};
 use super::group::{PlanarBase, hand_and_holder, standing_links};
 use super::target_surface::{PlacedTool, TargetSurface, is_tool_behind};
 use crate::follow::FollowError;
-use crate::geometry::{Mesh, Point3, Pose};
+use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Surface, Task};
 use crate::robot::{CollisionModel, LinkId, RobotError, RobotModel, Srdf};
 use std::collections::BTreeSet;
@@ -13,6 +13,11 @@ use std::collections::BTreeSet;
 /// Reduction of the clearance between the sides of the tool and the scene while it wipes [m]. A corner loses √3
 /// times as much, which is still less than the usual margin.
 const TOOL_RIM: f64 = 2.8e-3;
+
+/// Size of the floor under a robot that drives [m].
+const FLOOR: Vector3 = Vector3::new(2000.0, 2000.0, 1.0);
+/// Height of a surface up to which it counts as part of the floor [m].
+const FLOOR_SURFACE: f64 = 0.01;
 
 /// Collision models, by what the tool may touch and which variables move.
 #[derive(Debug, Clone)]
@@ -120,8 +125,10 @@ impl<'a> MountedTool<'a> {
     ) -> Result<WorkcellCollisions, FollowError> {
         let objects = self.add_objects()?;
         let surface = self.add_surface(&objects, ready)?;
+        let mut floor = None;
         if let Some(base) = base {
             self.allow_driving(&base, &objects, &surface.face)?;
+            floor = Some(self.add_floor(&objects, &surface, arm)?);
         }
         self.allow_wiping(&objects, &surface)?;
         if let Some(behind) = &surface.behind {
@@ -142,7 +149,11 @@ impl<'a> MountedTool<'a> {
             arm_in_contact: rimless.with_variables(arm),
             free,
             in_contact,
-            obstacles: names.chain([surface.face]).chain(surface.behind).collect(),
+            obstacles: names
+                .chain([surface.face])
+                .chain(surface.behind)
+                .chain(floor)
+                .collect(),
         })
     }
 
@@ -173,19 +184,42 @@ impl<'a> MountedTool<'a> {
         let root_from_world = self.mount.world_from_root.inverse();
         let kinematics = self.robot.forward_kinematics(ready)?;
         let waits_behind = is_tool_behind(self.task, &kinematics, self.mount);
-        let is_taken = |name: &String| {
-            [&self.tool, &self.core].contains(&name)
-                || objects.iter().any(|(known, _)| known == name)
-        };
-        let unused = |name: &str| {
-            let mut name = rename_if_link(self.robot, name);
-            while is_taken(&name) {
-                name.push_str(" (target)");
-            }
-            name
-        };
+        let (robot, own) = (self.robot, [&self.tool, &self.core]);
+        let is_taken =
+            |name: &String| own.contains(&name) || objects.iter().any(|(known, _)| known == name);
+        let unused = |name: &str| find_unused(robot, name, " (target)", &is_taken);
         let models = &mut self.models.all();
         TargetSurface::add(self.task, &root_from_world, &unused, waits_behind, models)
+    }
+
+    /// Adds the floor on which the base moves, at z = 0 of the world, and returns its name. Links that no arm moves stand on
+    /// it. The tool may touch it where the surface lies on it.
+    fn add_floor(
+        &mut self,
+        objects: &[NamedObject<'_>],
+        surface: &TargetSurface,
+        arm: &[usize],
+    ) -> Result<String, FollowError> {
+        let floor = find_unused(self.robot, "floor", " of the robot", &|name| {
+            [&self.tool, &self.core, &surface.face].contains(&name)
+                || objects.iter().any(|(known, _)| known == name)
+                || surface.behind.as_ref() == Some(name)
+        });
+        let mesh = Mesh::cuboid(FLOOR).map_err(FollowError::Surface)?;
+        let root_from_floor =
+            self.mount.world_from_root.inverse() * Pose::translation(0.0, 0.0, -FLOOR.z / 2.0);
+        for model in self.models.all() {
+            model.add_obstacle(&floor, root_from_floor, &mesh)?;
+        }
+        for link in unmoved_links(self.robot, arm) {
+            self.models.allow_in_all(&link, &floor)?;
+        }
+        self.models.rimless.allow(&self.tool, &floor)?;
+        if highest_point(&self.task.surface) < FLOOR_SURFACE {
+            self.models.allow_in_all(&self.tool, &floor)?;
+            self.models.rimless.allow(&self.core, &floor)?;
+        }
+        Ok(floor)
     }
 
     /// Allows the links that stand on the floor to touch what is not above it.
@@ -269,6 +303,39 @@ fn rename_if_link(robot: &RobotModel, name: &str) -> String {
     } else {
         name.to_owned()
     }
+}
+
+/// Returns a name that neither a link nor another body has, with `suffix` where it needs one.
+fn find_unused(
+    robot: &RobotModel,
+    name: &str,
+    suffix: &str,
+    is_taken: &dyn Fn(&String) -> bool,
+) -> String {
+    let mut name = rename_if_link(robot, name);
+    while is_taken(&name) {
+        name.push_str(suffix);
+    }
+    name
+}
+
+/// Returns the greatest height of a surface's border above the floor [m].
+fn highest_point(surface: &Surface) -> f64 {
+    let corners = surface.outline.outer().iter();
+    let heights = corners.map(|corner| surface.world_from_place(*corner, 0.0).translation.z);
+    heights.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns the links with shapes that none of these variables moves.
+fn unmoved_links(robot: &RobotModel, variables: &[usize]) -> Vec<String> {
+    let mut unmoved = vec![true; robot.links().len()];
+    for joint in robot.joints() {
+        let moves = (joint.drive.terms.iter()).any(|(variable, _)| variables.contains(variable));
+        unmoved[joint.child.index()] = unmoved[joint.parent.index()] && !moves;
+    }
+    let links = robot.links().iter().zip(unmoved);
+    let links = links.filter(|(link, unmoved)| *unmoved && !link.collision.is_empty());
+    links.map(|(link, _)| link.name.clone()).collect()
 }
 
 /// Whether no point of a surface is above the floor on which the base moves.

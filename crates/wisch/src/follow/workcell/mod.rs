@@ -10,7 +10,7 @@ mod target_surface;
 pub use group::{PlanarBase, PlanningGroup, StartAssumption};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
-use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, ToolPose};
+use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, Phase, ToolPose};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{SecondGrip, SurfaceShape, Task, Tool};
@@ -186,6 +186,13 @@ impl Workcell {
     /// The tool in the frame of the link that holds it.
     pub const fn tip_from_tool(&self) -> &Pose {
         &self.mount.tip_from_tool
+    }
+
+    /// Force of the surface on the tool in a phase of a task's motion, along the tool's z axis \[N\]; `None` out of contact,
+    /// for a tool that hovers, and for one in two hands, whose shares are unknown.
+    pub fn tool_load(&self, task: &Task, phase: Phase) -> Option<f64> {
+        let force = Some(task.interaction.contact_force()).filter(|force| *force > 0.0);
+        force.filter(|_| phase.is_contact() && self.second_arm().is_none())
     }
 
     /// How the robot holds the tool, and whether that is declared or assumed.
