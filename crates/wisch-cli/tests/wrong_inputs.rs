@@ -326,6 +326,38 @@ fn meaning_cases() -> Vec<Case> {
             &["surface \"chopping_board\": no free place"],
         ),
         Case {
+            args: vec![
+                "check",
+                "task.toml",
+                "--set",
+                "interaction.compression_depth_m=0.06",
+            ],
+            ..task(
+                "a tool pressed flat",
+                "",
+                "",
+                &[
+                    "interaction.compression_depth_m is 0.06 m, but must be less than the height of the tool",
+                ],
+            )
+        },
+        Case {
+            args: vec![
+                "follow",
+                "task.toml",
+                "--strategy",
+                "kde",
+                "--set",
+                "plan.lift_height_m=0.01",
+            ],
+            ..task(
+                "a lift that is too low",
+                "",
+                "",
+                &["plan.lift_height_m is 0.01 m, but must exceed 0.01 m"],
+            )
+        },
+        Case {
             edits: vec![
                 (ACTION, "action = \"skim\"".to_owned()),
                 (SKIM_EDGES, "#".to_owned()),

@@ -93,6 +93,7 @@ impl TaskFile {
         if let ToolMesh::InKnowledge(file) | ToolMesh::BesideTask(file) = &entry.mesh {
             check_tool(&mesh, (file, tool_at))?;
         }
+        check_compression(&mesh, interaction, tool_at)?;
         let tool = Tool {
             mount: self.mount.or(entry.grip.map(Mount::Grip)),
             ..resolved_tool(entry, mesh, interaction, tool_at)?
@@ -423,6 +424,22 @@ fn raised(mesh: &Mesh, height: f64) -> Result<Mesh, MeshError> {
     let up = Vector3::new(0.0, 0.0, height);
     let vertices = mesh.vertices().iter().map(|vertex| vertex + up);
     Mesh::new(vertices.collect(), mesh.triangles().to_vec())
+}
+
+/// Checks that a tool is not pressed in by its whole height or more.
+fn check_compression(mesh: &Mesh, interaction: &Interaction, at: &Place) -> Result<(), TaskError> {
+    let (low, high) = mesh.bounds();
+    let (height, depth) = (high.z - low.z, interaction.compression_depth_m);
+    if depth == 0.0 || depth < height {
+        return Ok(());
+    }
+    Err(TaskError::Inconsistent {
+        at: at.clone(),
+        key: "tool".to_owned(),
+        problem: format!(
+            "interaction.compression_depth_m is {depth} m, but must be less than the height of the tool, {height:.4} m"
+        ),
+    })
 }
 
 fn resolved_tool(

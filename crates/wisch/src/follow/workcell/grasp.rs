@@ -11,6 +11,9 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 use std::fmt;
 
+/// Largest distance of a hand from the tool that it holds [m].
+const AT_TOOL: f64 = 0.02;
+
 /// A tool as the robot holds it.
 ///
 /// Its text says how, and what is assumed: `square on link "tool0", 0.103 m out of it (assumed)`.
@@ -28,6 +31,9 @@ pub struct HeldTool {
     pub source: MountSource,
     /// The holder between a flange and the tool at a declared distance from it, which collision checks include.
     pub holder: Option<HolderCylinder>,
+    /// Distance between hand and tool at a declared grip, which collision checks do not include \[m\]; `None` where the
+    /// tool is at the hand.
+    pub unchecked_gap: Option<f64>,
 }
 
 /// Where the mount of a tool comes from.
@@ -51,6 +57,7 @@ impl HeldTool {
             axis: LinkAxis::default(),
             source: MountSource::Declared,
             holder: None,
+            unchecked_gap: None,
         }
     }
 
@@ -91,11 +98,16 @@ impl HeldTool {
             Mount::Hand { lean } => hand * hold_rear_edge(tool, lean),
             Mount::Grip(grip) => hand * grip.tool_from_hand.inverse(),
         };
+        let unchecked_gap = match mount {
+            Mount::Grip(grip) => find_gap(tool, &grip.tool_from_hand),
+            Mount::Flange { .. } | Mount::Hand { .. } => None,
+        };
         Ok(Self {
             mount: Some(mount),
             axis,
             source,
             holder,
+            unchecked_gap,
             ..Self::at_pose(robot, group.tip, tip_from_tool)
         })
     }
@@ -128,8 +140,23 @@ impl fmt::Display for HeldTool {
             MountSource::Srdf => f.write_str(" (from the SRDF)")?,
             MountSource::Assumed => f.write_str(" (assumed)")?,
         }
+        if let Some(gap) = self.unchecked_gap {
+            write!(
+                f,
+                "; what joins hand and tool, {gap:.3} m apart, is not checked for collisions"
+            )?;
+        }
         (self.holder.iter()).try_for_each(|holder| write!(f, "; {holder}, checked for collisions"))
     }
+}
+
+/// Returns the distance of a hand from the box around the tool that it holds \[m\]; `None` if it is at the tool.
+fn find_gap(tool: &Tool, tool_from_hand: &Pose) -> Option<f64> {
+    let (low, high) = tool.mesh.bounds();
+    let hand = tool_from_hand.translation.vector;
+    let nearest = hand.sup(&low.coords).inf(&high.coords);
+    let gap = (hand - nearest).norm();
+    (gap > AT_TOOL).then_some(gap)
 }
 
 /// Returns the end of a hand in the frame of its link: its z axis is the link's `axis`, and it is at the outermost
