@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use wisch::follow::StartAssumption;
 use wisch::robot::{
     ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
-    CapabilityMap, Diagnostic, DiagnosticKind, JointKind, LinkId, MapError, RobotHash, RobotModel,
-    Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
+    CapabilityMap, Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, MapError, RobotHash,
+    RobotModel, Severity, Srdf, Subject, VirtualJoint, urdf_on_base,
 };
 use wisch::run::RobotSetup;
 use wisch::source_location::UnknownName;
@@ -134,6 +134,19 @@ impl Robot {
                     ));
                 }
             }
+        }
+        let is_unlimited = |joint: &&Joint| joint.limits.effort.is_none();
+        let unlimited: Vec<&str> = (0..model.dof())
+            .map(|i| model.variable(i))
+            .filter(is_unlimited)
+            .map(|joint| joint.name.as_str())
+            .collect();
+        if !unlimited.is_empty() {
+            remarks.push(format!(
+                "robot {:?}: its URDF has no effort limit for {}: wisch does not check their efforts",
+                model.name(),
+                unlimited.join(", ")
+            ));
         }
         if !self.massless.is_empty() {
             let names: Vec<&str> = (self.massless.iter())

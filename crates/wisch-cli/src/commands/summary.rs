@@ -333,7 +333,14 @@ fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'stati
     if !following.has_shapes {
         lines.push(("links", NO_SHAPES.to_owned()));
     }
-    if following.contact_time_s <= 0.0 {
+    if following.contact_time_s <= 0.0 && following.execution_time_s > 0.0 {
+        lines.push((
+            "sliding",
+            "none: the tool touches down and lifts off at single points, so its effect may not be measurable"
+                .to_owned(),
+        ));
+        lines.extend(motion_in_words(following, in_rounds));
+    } else if following.contact_time_s <= 0.0 {
         let reason = match following.abandoned_nodes {
             0 => "the plan has no stroke",
             _ => "the robot reaches no stroke of the plan",

@@ -274,7 +274,7 @@ pub(super) fn check_scene<'a>(
             return Err(PlanError::ObstacleOnBend {
                 surface: surface.name.clone(),
                 distance,
-                radius,
+                needed: radius + SEARCH_STEP,
             });
         }
     }

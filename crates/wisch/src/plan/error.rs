@@ -154,15 +154,15 @@ pub enum PlanError {
     },
     /// An object of the scene is near a curved surface.
     #[error(
-        "surface \"{surface}\": an object of the scene is {distance:.3} m from it, but the tool needs {radius:.3} m; the planner does not go around objects on curved surfaces yet"
+        "surface \"{surface}\": an object of the scene is {distance:.3} m from its outer side, but the tool needs {needed:.3} m; the planner does not go around objects on curved surfaces yet; if the object is behind the surface, the outer side is the other one (surface.mesh.towards)"
     )]
     ObstacleOnBend {
         /// Name of the surface.
         surface: String,
         /// Distance of the object from the surface \[m\].
         distance: f64,
-        /// Radius of the collision sphere, r_s \[m\].
-        radius: f64,
+        /// Required distance \[m\]: the radius of the collision sphere, r_s, and the error of the search.
+        needed: f64,
     },
     /// Loose dirt slides on a curved surface.
     #[error(
