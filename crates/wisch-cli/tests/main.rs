@@ -24,6 +24,7 @@ mod memory;
 mod memory_faults;
 mod memory_health;
 mod memory_import;
+mod memory_warnings;
 mod mesh_files;
 mod patches;
 mod plain_output;

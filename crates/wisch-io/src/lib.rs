@@ -49,14 +49,14 @@ pub use process::{
     kill_executors,
 };
 pub use records::{
-    AbandonedRecord, AttemptRecord, BendContactRecord, CandidateSummary, ContactResidualRecord,
-    EVENT_SCHEMA, EventRecord, EventWriter, ExecutedBy, FollowedRecord, FollowingSummary,
-    GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord, LoopSummary, MotionRecord,
-    NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord, PlanRecordError,
-    PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary, RegistrationRecord,
-    RobotTrajectory, RoleRecord, RoundSummary, RoundTimes, RunEventRecord, SUMMARY_SCHEMA,
-    ShapeRecord, StrokeRecord, Summary, TreatmentSummary, WaypointRecord, WipedRecord,
-    planned_path_csv, tcp_path_csv,
+    AbandonedRecord, AlikeEpisodeRecord, AttemptRecord, BendContactRecord, CandidateSummary,
+    ContactResidualRecord, EVENT_SCHEMA, EventRecord, EventWriter, ExecutedBy, FollowedRecord,
+    FollowingSummary, GoalRecord, INTERPRETATION_FORMAT, InterpretationRecord, LogRecord,
+    LoopSummary, MotionRecord, NodeRecord, PLAN_FORMAT, PLAN_SCHEMA, PlacementRecord, PlanRecord,
+    PlanRecordError, PlanarPoseRecord, PlaneRecord, PoseRecord, PredictionSummary,
+    RegistrationRecord, RobotTrajectory, RoleRecord, RoundSummary, RoundTimes, RunEventRecord,
+    SUMMARY_SCHEMA, ShapeRecord, StrokeRecord, Summary, TreatmentSummary, WarningRecord,
+    WaypointRecord, WipedRecord, planned_path_csv, tcp_path_csv,
 };
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, robot_warnings, shipped_robots};
 pub use shell::shell_word;

@@ -502,7 +502,7 @@ impl<'a> Frames<'a> {
 }
 
 /// Returns the scene in a round's telemetry, if there is one.
-fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
+pub(crate) fn scene_of(telemetry: &Telemetry) -> Result<Option<RoundScene>, FrameError> {
     let Some(note) = telemetry.notes().get(SCENE_NOTE) else {
         return Ok(None);
     };

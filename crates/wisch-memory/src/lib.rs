@@ -21,6 +21,7 @@ mod statements;
 pub mod store;
 pub mod telemetry;
 pub mod view;
+pub mod warnings;
 
 pub use catalogue::{Catalogue, CatalogueNode, IndividualId};
 pub use frames::{FrameError, Frames, LOG_COLUMNS, PoseAt, RoundScene, Sampling, StoredPose};

@@ -14,7 +14,7 @@ use wisch::geometry::{Point2, Polygon};
 use wisch::interpret::{Diagnosis, Event, EventKind, InterpretConfig, Interpretation, PathPiece};
 use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{Action, GoalState, Task};
-use wisch::run::{Ending, PlannedRound};
+use wisch::run::{Ending, PlannedRound, RunWarning};
 
 /// Header of an episode, beside its rounds.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,6 +73,8 @@ pub struct EpisodeRound<'a> {
     pub ending: &'a Ending,
     /// Result of the interpretation.
     pub interpretation: &'a Interpretation,
+    /// Warnings during the execution.
+    pub warnings: &'a [RunWarning],
     /// Verdict on the round.
     pub verdict: Verdict,
     /// Performance by ground truth \[1\]; `None` outside simulation.
@@ -122,7 +124,7 @@ pub fn remember(header: &EpisodeHeader, rounds: &[EpisodeRound<'_>]) -> EpisodeR
     }
 }
 
-const fn class_of(action: Action) -> &'static str {
+pub(crate) const fn class_of(action: Action) -> &'static str {
     match action {
         Action::Absorb => "semco:Absorbing",
         Action::Collect => "semco:Collecting",
@@ -188,6 +190,7 @@ impl RecordBuilder {
             task: &round.motion.task,
             interpretation: round.interpretation,
             robot: Some(round.motion.cell.robot().name()),
+            warnings: round.warnings,
             during: [start, end],
             stopped: match round.ending {
                 Ending::ProtectiveStop { time, .. } => Some(*time),
@@ -317,6 +320,8 @@ struct RoundContext<'a> {
     interpretation: &'a Interpretation,
     /// Name of the robot, if known.
     robot: Option<&'a str>,
+    /// Warnings during the execution.
+    warnings: &'a [RunWarning],
     /// Begin and end of the round [s since 1970].
     during: [f64; 2],
     /// Time of a protective stop [s since the round began], if there was one.
@@ -352,6 +357,11 @@ impl RoundContext<'_> {
         };
         for event in &self.interpretation.events {
             individuals.extend(self.of(event, parent_at(event.start)));
+        }
+        for warning in self.warnings {
+            let at = (start + warning.time).min(end);
+            let parent = parent_at(warning.time);
+            individuals.push(describe_warning(warning, at, parent));
         }
         let mut add_moment = |class, parent, at| {
             let mut moment = Individual::new(class, Some(parent));
@@ -410,6 +420,25 @@ impl RoundContext<'_> {
     }
 }
 
+/// Class of a warning of the memory.
+pub(crate) const WARNING_CLASS: &str = "semco:MemoryWarning";
+
+/// Returns the individual of a warning at a time [s since 1970].
+fn describe_warning(warning: &RunWarning, at: f64, parent: usize) -> Individual {
+    let mut individual = Individual::new(WARNING_CLASS, Some(parent));
+    individual.interval = Some([at, at]);
+    individual.set_text("semco:warningChannel", warning.channel.as_str());
+    individual.set_number("semco:warningValue", warning.value);
+    individual.set_number("semco:bandLow", warning.band[0]);
+    individual.set_number("semco:bandHigh", warning.band[1]);
+    individual.set_number("semco:pValue", warning.p_value);
+    let alike: Vec<&str> = (warning.alike.iter())
+        .map(|episode| episode.id.as_str())
+        .collect();
+    individual.set_text("semco:alikeEpisodes", &alike.join(" "));
+    individual
+}
+
 fn edge_distance(outline: &Polygon, point: Point2) -> f64 {
     let distances = outline.edges().map(|edge| edge.distance(point));
     distances.fold(f64::INFINITY, f64::min)
@@ -434,7 +463,7 @@ fn things_of(task: &Task) -> BTreeMap<String, Vec<String>> {
 }
 
 /// Returns the name of a shared thing in a form that an IRI allows.
-fn shared_name(name: &str) -> String {
+pub(crate) fn shared_name(name: &str) -> String {
     let plain = |c: char| {
         if c.is_alphanumeric() || "-_.".contains(c) {
             c

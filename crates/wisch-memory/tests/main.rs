@@ -6,3 +6,4 @@ mod rates;
 mod store;
 mod telemetry;
 mod view;
+mod warnings;

@@ -280,6 +280,7 @@ impl EpisodeSink {
                     duration,
                     ending: &round.execution.ending,
                     interpretation: &round.interpretation,
+                    warnings: &round.warnings,
                     verdict: round.verdict,
                     simulated_performance: finished
                         .truth

@@ -53,6 +53,7 @@ impl RunSink for StageSink {
             | RunEvent::Evaluated { .. }
             | RunEvent::Following { .. }
             | RunEvent::Sample(_)
+            | RunEvent::Warned(_)
             | RunEvent::Executing(_)
             | RunEvent::Observed { .. }
             | RunEvent::Ended(_) => {}

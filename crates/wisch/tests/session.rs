@@ -82,6 +82,7 @@ fn kind(event: &RunEvent<'_>) -> &'static str {
         RunEvent::Audited { .. } => "audited",
         RunEvent::Executing(_) => "executing",
         RunEvent::Sample(_) => "sample",
+        RunEvent::Warned(_) => "warned",
         RunEvent::Interpreting { .. } => "interpreting",
         RunEvent::Observed { .. } => "observed",
         RunEvent::Decided(_) => "decided",

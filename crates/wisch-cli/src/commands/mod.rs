@@ -40,6 +40,7 @@ mod shell;
 mod studio;
 mod summary;
 mod surface;
+mod warnings;
 mod watch;
 mod words;
 

@@ -5,6 +5,7 @@ use super::interrupt::{UnfinishedRun, delay_signals, pause_on_signal, say_how_to
 use super::job::{Job, known_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
+use super::warnings::watch_for_warnings;
 use super::watch::Watch;
 use super::words::{counted, internal, json};
 use crate::args::{GlobalArgs, LoopArgs, options_for};
@@ -64,7 +65,9 @@ pub fn execute(
     let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
     let workcell = super::follow::workcell_config(chosen, job.prepared);
     let options = record_options(job, args, taken_over.len(), workcell);
+    let memory = options.episode.clone();
     let mut record = RunRecord::begin(job.prepared, Some(robot), options)?;
+    let warnings = memory.and_then(|memory| watch_for_warnings(job, &memory, taken_over.len()));
     record.remarks().iter().for_each(|text| remark(text));
     if let (true, Some(episode)) = (killed.is_empty(), record.episode_mut()) {
         episode.keep_interrupted_episodes();
@@ -97,6 +100,9 @@ pub fn execute(
     };
     let is_given = given.is_some();
     let mut session = job.session(job.config(Some(args)), given);
+    if let Some(warnings) = warnings {
+        session = session.with_warnings(warnings);
+    }
     let run = sinks.run(&mut session, &mut executor, &taken_over);
     sinks.record.end_bags();
     if let Some(error) = session.finish_failure() {
@@ -348,6 +354,9 @@ impl Sinks<'_> {
     /// Passes an event to the record and the progress; `Break` ends the loop.
     fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         let flow = self.record.on_event(event);
+        if let RunEvent::Warned(warning) = event {
+            self.watch.say(&format!("warning: {warning}"));
+        }
         self.watch.on_event(event);
         match event {
             RunEvent::Executing(_) => self.is_moving = true,

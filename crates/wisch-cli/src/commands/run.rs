@@ -25,7 +25,7 @@ use std::sync::atomic::Ordering;
 use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
-use wisch::run::{AfterStop, Ending, NoExecutor, RunConfig, RunEvent, Stage};
+use wisch::run::{AfterStop, Ending, NoExecutor, OnWarning, RunConfig, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
 use wisch_io::{LoadedTask, OutputFile, OutputFolder};
 use wisch_io::{PLAN_FILE, PlanRecord, REPORT_FILE, Summary, read_text, wipes_all_patches};
@@ -39,6 +39,8 @@ const MOST_IN_A_RUN: usize = 1_000_000;
 
 /// The note after a stop that the operator has to clear.
 const WAITS: &str = "the robot was stopped and waits for its operator";
+/// The note after a stop that followed a warning.
+const WARNED: &str = "a warning stopped the run, and the robot waits for its operator";
 /// What to do if the next such stop shall not end the run.
 const RETREAT: &str = "set execution.after_stop = \"retreat\" to resume automatically";
 
@@ -528,6 +530,10 @@ fn is_stopped(results: &RunResults) -> bool {
 /// Returns a note if the run ended because the robot waits for its operator.
 fn note_on_stop(results: &RunResults, config: &RunConfig) -> Option<String> {
     let last = &results.rounds.last()?.round;
+    let is_warned = config.on_warning == OnWarning::Stop && !last.warnings.is_empty();
+    if is_warned && last.execution.ending == Ending::Stopped {
+        return Some(WARNED.to_owned());
+    }
     if last.verdict != Verdict::Again {
         return None;
     }

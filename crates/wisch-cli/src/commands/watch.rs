@@ -2,6 +2,7 @@
 
 use super::job::Job;
 use crate::progress::Progress;
+use crate::terminal::remark;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use wisch::run::RunEvent;
@@ -45,6 +46,11 @@ impl<'a> Watch<'a> {
             begin: Instant::now(),
             duration: 0.0,
         }
+    }
+
+    /// Prints a note beside the progress.
+    pub fn say(&self, text: &str) {
+        self.progress.aside(|| remark(text));
     }
 
     /// Receives an event. Failures of checkpoints are reported at the end of the round.

@@ -1,5 +1,6 @@
 //! Records of a session's events, one JSON object per line.
 
+use super::warning::WarningRecord;
 use serde::Serialize;
 use std::io::{self, Write};
 use wisch::run::RunEvent;
@@ -66,6 +67,8 @@ pub enum RunEventRecord {
         /// Phase of the motion.
         phase: &'static str,
     },
+    /// The running stroke differs from earlier episodes.
+    Warned(WarningRecord),
     /// The log is being interpreted.
     Interpreting {
         /// Number of the round, from 1.
@@ -175,6 +178,7 @@ impl<W: Write> EventWriter<W> {
                     phase: sample.phase.as_str(),
                 }
             }
+            RunEvent::Warned(warning) => RunEventRecord::Warned(WarningRecord::from(warning)),
             RunEvent::Interpreting { round } => RunEventRecord::Interpreting { round },
             RunEvent::Observed { round, observation } => RunEventRecord::Observed {
                 round,

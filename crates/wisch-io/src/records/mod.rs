@@ -9,6 +9,7 @@ mod rounds;
 mod shape;
 mod summary;
 mod trajectory;
+mod warning;
 
 pub use event::{EVENT_SCHEMA, EventWriter, RunEventRecord};
 pub use followed::{
@@ -29,3 +30,4 @@ pub use summary::{
     TreatmentSummary,
 };
 pub use trajectory::{RobotTrajectory, planned_path_csv, tcp_path_csv};
+pub use warning::{AlikeEpisodeRecord, WarningRecord};

@@ -1,6 +1,7 @@
 //! Summaries of the rounds of a run for `--json`.
 
 use super::interpretation::highest;
+use super::warning::WarningRecord;
 use serde::Serialize;
 use wisch::interpret::EventKind;
 use wisch::run::{Ending, Pause, Round};
@@ -76,6 +77,9 @@ pub struct RoundSummary {
     pub verdict: &'static str,
     /// complete, stopped, or the cause of a protective stop.
     pub ending: String,
+    /// Warnings during the execution; left out without one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<WarningRecord>,
     /// Executor: `simulated world` or `executor`.
     pub executed_by: &'static str,
     /// Duration of the execution, in the robot's time.
@@ -191,6 +195,7 @@ impl RoundSummary {
                 Ending::Early { time, cause } => format!("early at {time:.3} s: {cause}"),
                 Ending::ProtectiveStop { time, cause } => format!("at {time:.3} s: {cause}"),
             },
+            warnings: round.warnings.iter().map(WarningRecord::from).collect(),
             executed_by: executed_by.as_str(),
             execution_time_s: round.execution.duration,
             // An empty sum of f64 is -0.0.

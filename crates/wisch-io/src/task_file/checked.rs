@@ -149,6 +149,8 @@ fn run_config(task: &TaskTable) -> RunConfig {
         pace: execution.pace.into(),
         end_strokes_early: execution.end_strokes_early,
         after_stop: execution.after_stop.into(),
+        on_warning: execution.on_warning.into(),
+        false_warning_rate: execution.false_warning_rate.0,
         start_tolerance: execution.start_rad.0,
         ..RunConfig::default()
     }

@@ -8,11 +8,12 @@ use super::values::{
     EncoderNoise, Factor, FalseAlarms, Friction, GrainM, GrainMassKg, GraspM, GraspRad,
     HalfAngleRad, HalfSizeM, HandSpeed, JointFriction, LogForce, LogSpread, Name, NoiseN,
     ParticleCount, Pixel, PositionErrorM, PositionM, PushForceN, RadiusM, Rounds, Share, ShiftM,
-    SizeFactor, SizeM, StartRad, StrokeNumber, TiltRad, TimeS, WaveLengthM, WavinessM, names,
+    SizeFactor, SizeM, StartRad, StrokeNumber, TiltRad, TimeS, WarningRate, WaveLengthM, WavinessM,
+    names,
 };
 use schemars::JsonSchema;
 use serde::Deserialize;
-use wisch::run::{AfterStop, Pace, RunConfig};
+use wisch::run::{AfterStop, OnWarning, Pace, RunConfig};
 use wisch_sim::{RealTool, Sensing, SimulationSettings, Waviness};
 
 /// Ground truth of the simulation, hidden from planner and interpreter.
@@ -90,11 +91,23 @@ pub(super) struct ExecutionTable {
     /// Reaction to a stop by a person or a safety system: wait for the operator, which ends the run, or retreat from the
     /// surface and resume.
     pub(super) after_stop: AfterStopName,
+    /// Reaction to a stroke that differs from comparable episodes of the memory.
+    pub(super) on_warning: OnWarningName,
+    /// Largest share of the runs without a change that give a warning.
+    pub(super) false_warning_rate: WarningRate,
     /// Maximum deviation of a joint from the start of a motion [rad, or m]; beyond it, the motion is not executed.
     pub(super) start_rad: StartRad,
 }
 
 names! {
+    /// Reaction to a stroke that differs from comparable episodes of the memory.
+    OnWarningName("on_warning", "snake_case") for OnWarning {
+        Ignore,
+        Report,
+        EndStroke,
+        Stop,
+    }
+
     /// Reaction to a stop by a person or a safety system.
     AfterStopName("after_stop", "snake_case") for AfterStop {
         Wait,
@@ -146,6 +159,8 @@ impl Default for ExecutionTable {
             end_strokes_early: run.end_strokes_early,
             pace: PaceName::Whole,
             after_stop: AfterStopName::Wait,
+            on_warning: OnWarningName::Report,
+            false_warning_rate: WarningRate(run.false_warning_rate),
             start_rad: StartRad(run.start_tolerance),
         }
     }

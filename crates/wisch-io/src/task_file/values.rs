@@ -74,6 +74,8 @@ ranges! { f64, NumberWithin;
     ColorDistance = (0.0, 442.0);
     /// Coordinates in an image [px]; its true size is known once it is read.
     Pixel = (0.0, 1e6);
+    /// Shares of runs with a false warning: below, no memory suffices; above, warnings say little.
+    WarningRate = (1e-3, 0.2);
     /// Shares of a whole.
     Share = (0.0, 1.0);
     /// Positions of a hand at its tool, along one axis [m]: up to the end of a long stick.

@@ -1,7 +1,7 @@
 use super::*;
 
 /// Every class of an episode's record.
-const CLASSES: [&str; 51] = [
+const CLASSES: [&str; 52] = [
     "WipingEpisode",
     "WipingAction",
     "WipingRound",
@@ -22,6 +22,7 @@ const CLASSES: [&str; 51] = [
     "StickSlip",
     "ProtectiveStop",
     "Relocalization",
+    "MemoryWarning",
     "Wiping",
     "Absorbing",
     "Collecting",
@@ -58,7 +59,8 @@ const CLASSES: [&str; 51] = [
 /// Every value of an episode's record.
 const VALUES: &str = "taskName seed performance performanceLow performanceHigh predictedPerformance \
     simulatedPerformance target rounds strategy goal round strokes contactShare meanNormalForce planeTilt \
-    planeOffset forceBias verdict diagnosis ending stroke peakForce samples peakHeight edgeDistance";
+    planeOffset forceBias verdict diagnosis ending stroke peakForce samples peakHeight edgeDistance \
+    warningChannel warningValue bandLow bandHigh pValue alikeEpisodes";
 
 fn foreign(name: &&str) -> bool {
     name.starts_with("soma:") || name.starts_with("dul:")

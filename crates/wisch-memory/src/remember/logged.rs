@@ -81,6 +81,7 @@ pub fn remember_log(
         task,
         interpretation,
         robot: None,
+        warnings: &[],
         during,
         stopped: None,
     };

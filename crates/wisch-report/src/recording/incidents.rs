@@ -7,7 +7,7 @@ use crate::rounds::words::{format_degrees, format_estimate, kind_name};
 use serde::Serialize;
 use wisch::geometry::{Pose, flatten_pose};
 use wisch::interpret::{Diagnosis, Doubt, Event, EventKind};
-use wisch::run::{Ending, Round};
+use wisch::run::{Ending, Round, RunWarning};
 
 /// Shortfall of the estimate against the prediction that is an incident \[1\].
 const SHORTFALL: f64 = 0.1;
@@ -42,6 +42,7 @@ pub(super) fn find_incidents(round: &Round) -> Vec<Incident> {
     incidents.extend(describe_pose(round));
     // The prediction leaves abandoned nodes out, and not every doubt means less wiping.
     let is_explained = !incidents.is_empty();
+    incidents.extend(round.warnings.iter().map(describe_warning));
     incidents.extend(describe_log_problems(round));
     incidents.extend(describe_abandoned(round));
     match &round.execution.ending {
@@ -49,6 +50,17 @@ pub(super) fn find_incidents(round: &Round) -> Vec<Incident> {
         ending => incidents.extend(describe_ending(round, ending)),
     }
     incidents
+}
+
+/// Describes a warning of the memory.
+fn describe_warning(warning: &RunWarning) -> Incident {
+    Incident {
+        time: Some(round_to(warning.time, 1e3)),
+        title: format!("The {} differed from earlier episodes", warning.channel),
+        evidence: capitalise(&format!("{warning}.")),
+        effect: String::new(),
+        advice: "Compare surface, tool and sensor with those of the earlier episodes.".to_owned(),
+    }
 }
 
 /// Describes all events of a kind as one incident.

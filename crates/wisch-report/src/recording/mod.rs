@@ -252,6 +252,9 @@ impl<W: Write> RecordingWriter<W> {
                 let due = self.batch.watch(sample);
                 if due { self.flush() } else { Ok(()) }
             }
+            RunEvent::Warned(warning) => {
+                self.stage(warning.round, "executing", format!("warning: {warning}"))
+            }
             RunEvent::Interpreting { round } => {
                 self.flush()?;
                 self.stage(

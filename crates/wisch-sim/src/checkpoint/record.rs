@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use wisch::geometry::{Point2, Polygon, Region};
 use wisch::represent::{Fate, Observation};
 use wisch::robot::{JointKind, Range};
-use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd};
+use wisch::run::{Ending, Execution, StopCause, StopKind, StrokeEnd, WarningChannel};
 
 /// Version of the schema of checkpoint records.
 pub const CHECKPOINT_SCHEMA: u32 = 6;
@@ -70,6 +70,11 @@ enum EndingRecord {
 enum EarlyRecord {
     ContactLost,
     LedAway,
+    /// A warning of a channel; `metres` is 0.
+    ForceWarning,
+    HeightWarning,
+    ContactShareWarning,
+    TrackingErrorWarning,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -268,6 +273,7 @@ impl From<&Ending> for EndingRecord {
                 let (why, metres) = match *cause {
                     StrokeEnd::ContactLost { way } => (EarlyRecord::ContactLost, way),
                     StrokeEnd::LedAway { distance } => (EarlyRecord::LedAway, distance),
+                    StrokeEnd::Warned { channel } => (EarlyRecord::from(channel), 0.0),
                 };
                 return Self::Early {
                     time_s: *time,
@@ -316,8 +322,20 @@ impl From<&Ending> for EndingRecord {
     }
 }
 
+impl From<WarningChannel> for EarlyRecord {
+    fn from(channel: WarningChannel) -> Self {
+        match channel {
+            WarningChannel::Force => Self::ForceWarning,
+            WarningChannel::Height => Self::HeightWarning,
+            WarningChannel::ContactShare => Self::ContactShareWarning,
+            WarningChannel::TrackingError => Self::TrackingErrorWarning,
+        }
+    }
+}
+
 impl From<EndingRecord> for Ending {
     fn from(record: EndingRecord) -> Self {
+        let warned = |channel| StrokeEnd::Warned { channel };
         let (time, cause) = match record {
             EndingRecord::Complete => return Self::Complete,
             EndingRecord::Stopped => return Self::Stopped,
@@ -329,6 +347,10 @@ impl From<EndingRecord> for Ending {
                 let cause = match why {
                     EarlyRecord::ContactLost => StrokeEnd::ContactLost { way: metres },
                     EarlyRecord::LedAway => StrokeEnd::LedAway { distance: metres },
+                    EarlyRecord::ForceWarning => warned(WarningChannel::Force),
+                    EarlyRecord::HeightWarning => warned(WarningChannel::Height),
+                    EarlyRecord::ContactShareWarning => warned(WarningChannel::ContactShare),
+                    EarlyRecord::TrackingErrorWarning => warned(WarningChannel::TrackingError),
                 };
                 return Self::Early { time, cause };
             }
@@ -435,8 +457,12 @@ mod tests {
                 distance: 1.0 / 3.0,
             },
         ];
-        let early = early.map(|cause| Ending::Early { time: 0.1, cause });
-        let stops = early.into_iter().chain(stops);
+        let warned = WarningChannel::ALL.map(|channel| StrokeEnd::Warned { channel });
+        let early = early
+            .into_iter()
+            .chain(warned)
+            .map(|cause| Ending::Early { time: 0.1, cause });
+        let stops = early.chain(stops);
         for ending in [Ending::Complete, Ending::Stopped].into_iter().chain(stops) {
             let execution = Execution {
                 duration: 12.345,

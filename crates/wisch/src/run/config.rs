@@ -1,5 +1,6 @@
 //! The robot of a session, the settings of each stage, and the conditions under which a session ends.
 
+use super::OnWarning;
 use crate::follow::{FollowConfig, WorkcellConfig};
 use crate::plan::PlanConfig;
 use crate::represent::Sight;
@@ -33,6 +34,9 @@ pub enum AfterStop {
 /// dirt has a lower score, however much it brings where it belongs.
 pub const MIN_SCORE: f64 = -1.0;
 
+/// Largest share of the runs without a change that give a warning, unless the task sets another \[1\].
+pub const FALSE_WARNING_RATE: f64 = 0.02;
+
 /// Settings of each stage, and the conditions under which a session ends. All seeds derive from the task's.
 ///
 /// ```
@@ -64,6 +68,10 @@ pub struct RunConfig {
     pub end_strokes_early: bool,
     /// What happens after a person or a safety system stops the robot.
     pub after_stop: AfterStop,
+    /// What happens after a warning of the [watch](super::Session::with_warnings).
+    pub on_warning: OnWarning,
+    /// Largest share of the runs without a change that give a warning \[1\], for the watch.
+    pub false_warning_rate: f64,
     /// Largest distance of any joint from the start of a motion [rad or m].
     pub start_tolerance: f64,
     /// Model of the camera; `None` for a robot that only measures forces.
@@ -84,6 +92,8 @@ impl Default for RunConfig {
             pace: Pace::Whole,
             end_strokes_early: false,
             after_stop: AfterStop::default(),
+            on_warning: OnWarning::default(),
+            false_warning_rate: FALSE_WARNING_RATE,
             start_tolerance: 0.05,
             sight: None,
         }

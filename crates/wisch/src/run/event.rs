@@ -1,6 +1,6 @@
 //! Events of a session.
 
-use super::{CandidateEvaluation, PlannedRound, Round, TelemetrySample};
+use super::{CandidateEvaluation, PlannedRound, Round, RunWarning, TelemetrySample};
 use crate::follow::Audit;
 use crate::plan::{Plan, PredictionProgress};
 use crate::recover::Verdict;
@@ -74,6 +74,8 @@ pub enum RunEvent<'a> {
     Executing(&'a PlannedRound),
     /// A sample of the execution.
     Sample(&'a TelemetrySample<'a>),
+    /// The running stroke differs from earlier runs; the sample that shows it precedes this event.
+    Warned(&'a RunWarning),
     /// The log is being interpreted.
     Interpreting {
         /// The round, from 1.

@@ -21,8 +21,10 @@ mod stance;
 mod stroke_watch;
 mod telemetry;
 mod trajectory_clock;
+mod warning;
+mod warning_watch;
 
-pub use config::{AfterStop, MIN_SCORE, Pace, RobotSetup, RunConfig};
+pub use config::{AfterStop, FALSE_WARNING_RATE, MIN_SCORE, Pace, RobotSetup, RunConfig};
 pub use considered::{CandidateEvaluation, EvaluatedMotion};
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, ignore_events};
@@ -38,5 +40,7 @@ pub use session::{Session, Stage};
 pub use stroke_watch::StrokeEnd;
 pub use telemetry::{RecordedSample, SampleStatus, Stamp, StampClock, TelemetrySample};
 pub use trajectory_clock::{TrajectoryClock, TrajectoryTimeError};
+pub use warning::{AlikeEpisode, OnWarning, RunWarning, WarningChannel, WarningSpan};
+pub use warning_watch::WarningWatch;
 
 pub use crate::control::Wrench;

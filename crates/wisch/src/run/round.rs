@@ -1,6 +1,6 @@
 //! One round of a session: the planned motion, and the result of its execution.
 
-use super::{Ending, Execution};
+use super::{Ending, Execution, RunWarning};
 use crate::follow::{Audit, Followed, Workcell};
 use crate::geometry::Vector3;
 use crate::interpret::{Belief, Interpretation};
@@ -126,6 +126,8 @@ pub struct Round {
     pub execution: Execution,
     /// The interpretation of the measured data.
     pub interpretation: Interpretation,
+    /// Warnings during the execution, in the order of time.
+    pub warnings: Vec<RunWarning>,
     /// The verdict on the round.
     pub verdict: Verdict,
 }

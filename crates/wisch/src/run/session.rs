@@ -7,7 +7,7 @@ use super::beside::keep_on_surface;
 use super::stance::root_pose;
 use super::{
     AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
-    RobotSetup, Round, RunConfig, RunError, RunEvent,
+    RobotSetup, Round, RunConfig, RunError, RunEvent, RunWarning, WarningWatch,
 };
 use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
@@ -83,6 +83,9 @@ pub struct Session<'a> {
     /// Range of the number of detections that were expected in it, if it shows none.
     unseen: Option<[f64; 2]>,
     /// Doubts about the data of the current round that its interpretation does not find.
+    /// Compares the run with earlier runs, and its warnings of the current round.
+    watch: Option<WarningWatch<'a>>,
+    warnings: Vec<RunWarning>,
     doubts: Vec<Doubt>,
     is_stopped: bool,
     /// Last known joint positions, all n variables [rad or m]; `None` before the first
@@ -131,6 +134,8 @@ impl<'a> Session<'a> {
             first_observation: None,
             unseen: None,
             doubts: Vec::new(),
+            watch: None,
+            warnings: Vec::new(),
             is_stopped: false,
             stands: None,
             retreats: false,
@@ -179,6 +184,16 @@ impl<'a> Session<'a> {
     pub fn with_strategy(self, own: OwnStrategy<'a>) -> Self {
         Self {
             own: Some(own),
+            ..self
+        }
+    }
+
+    /// Adds a watch that compares the run with earlier runs while the robot wipes;
+    /// [`RunConfig::on_warning`] says what follows from its warnings.
+    #[must_use]
+    pub fn with_warnings(self, watch: WarningWatch<'a>) -> Self {
+        Self {
+            watch: Some(watch),
             ..self
         }
     }
@@ -668,6 +683,7 @@ impl<'a> Session<'a> {
             audit,
             execution,
             interpretation,
+            warnings: std::mem::take(&mut self.warnings),
             verdict,
         };
         let _ = observer(&RunEvent::Decided(&round));

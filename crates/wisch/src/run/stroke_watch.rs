@@ -1,6 +1,6 @@
 //! Detection, during a stroke, that the stroke no longer has an effect.
 
-use super::TelemetrySample;
+use super::{TelemetrySample, WarningChannel};
 use crate::follow::Phase;
 use crate::geometry::{Point2, Pose};
 use crate::represent::{Surface, SurfaceShape, Task};
@@ -28,6 +28,12 @@ pub enum StrokeEnd {
     LedAway {
         /// Distance from the stroke \[m\].
         distance: f64,
+    },
+    /// The stroke differed from earlier runs.
+    #[error("a warning ended it: the {channel} differed from earlier episodes")]
+    Warned {
+        /// The quantity that differed.
+        channel: WarningChannel,
     },
 }
 

@@ -10,10 +10,89 @@ use crate::run::pose_agreement::PoseAgreement;
 use crate::run::stance::{check_first_sample, check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, PlannedRound, RunError,
-    RunEvent, TelemetrySample, check_score,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, OnWarning, PlannedRound,
+    RunConfig, RunError, RunEvent, RunWarning, StrokeEnd, TelemetrySample, WarningWatch,
+    check_score,
 };
 use std::ops::ControlFlow;
+
+/// The checks that may end a round within a stroke.
+struct RoundWatch<'s, 'a> {
+    /// Checks whether the stroke has an effect.
+    stroke: Option<StrokeWatch>,
+    /// Compares the round with earlier runs.
+    watch: Option<&'s mut WarningWatch<'a>>,
+    on_warning: OnWarning,
+    warnings: Vec<RunWarning>,
+    ended_early: Option<Ending>,
+    /// Whether a warning stops the run.
+    is_stopped: bool,
+}
+
+impl<'s, 'a> RoundWatch<'s, 'a> {
+    /// Begins the checks of a round, and reports it to the watch for warnings.
+    fn begin(
+        config: &RunConfig,
+        watch: Option<&'s mut WarningWatch<'a>>,
+        planned: &PlannedRound,
+    ) -> Self {
+        let mut on_warning = config.on_warning;
+        let mut watch = watch.filter(|_| on_warning != OnWarning::Ignore);
+        if let Some(watch) = &mut watch {
+            watch.check(&RunEvent::Executing(planned));
+            if !watch.may_end(planned.number) {
+                on_warning = OnWarning::Report;
+            }
+        }
+        Self {
+            stroke: (config.end_strokes_early).then(|| StrokeWatch::new(&planned.task)),
+            watch,
+            on_warning,
+            warnings: Vec::new(),
+            ended_early: None,
+            is_stopped: false,
+        }
+    }
+
+    /// Checks a sample; `Break` ends the round.
+    fn check(
+        &mut self,
+        sample: &TelemetrySample<'_>,
+        observer: &mut Observer<'_>,
+    ) -> ControlFlow<()> {
+        if let Some(watch) = &mut self.watch {
+            for warning in watch.check(&RunEvent::Sample(sample)) {
+                let flow = observer(&RunEvent::Warned(&warning));
+                let cause = StrokeEnd::Warned {
+                    channel: warning.channel,
+                };
+                self.warnings.push(warning);
+                match self.on_warning {
+                    OnWarning::Stop => self.is_stopped = true,
+                    OnWarning::EndStroke if self.ended_early.is_none() => {
+                        let time = sample.time;
+                        self.ended_early = Some(Ending::Early { time, cause });
+                    }
+                    _ => {}
+                }
+                if flow.is_break() {
+                    return flow;
+                }
+            }
+        }
+        if self.ended_early.is_none()
+            && sample.status.shows_motion()
+            && let Some(cause) = (self.stroke.as_mut()).and_then(|stroke| stroke.check(sample))
+        {
+            let time = sample.time;
+            self.ended_early = Some(Ending::Early { time, cause });
+        }
+        match self.is_stopped || self.ended_early.is_some() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    }
+}
 
 impl Session<'_> {
     /// Lets a prepared executor [finish](Executor::finish), once; does nothing otherwise.
@@ -64,8 +143,7 @@ impl Session<'_> {
         let mut agreement = PoseAgreement::new(&planned.cell);
         let mut refused: Option<RunError> = None;
         let tolerance = self.config.start_tolerance;
-        let mut watch = (self.config.end_strokes_early).then(|| StrokeWatch::new(&planned.task));
-        let mut ended_early = None;
+        let mut watch = RoundWatch::begin(&self.config, self.watch.as_mut(), &planned);
         let mut is_broken_off = false;
         let mut measured_until: Option<f64> = None;
         let mut at: Vec<f64> = Vec::new();
@@ -85,19 +163,21 @@ impl Session<'_> {
                 at.clear();
                 at.extend_from_slice(sample.positions);
             }
-            let flow = observer(&RunEvent::Sample(sample));
-            if flow.is_continue()
-                && sample.status.shows_motion()
-                && let Some(cause) = watch.as_mut().and_then(|watch| watch.check(sample))
-            {
-                let time = sample.time;
-                ended_early = Some(Ending::Early { time, cause });
-                is_broken_off = true;
-                return ControlFlow::Break(());
+            let mut flow = observer(&RunEvent::Sample(sample));
+            if flow.is_continue() {
+                flow = watch.check(sample, observer);
             }
             is_broken_off |= flow.is_break();
             flow
         });
+        let RoundWatch {
+            warnings,
+            ended_early,
+            is_stopped,
+            ..
+        } = watch;
+        self.warnings = warnings;
+        self.is_stopped |= is_stopped;
         self.doubts.extend(agreement.into_doubt());
         let broken_off = keep_execution(&executed, measured_until, at);
         let executed = match (executed, refused) {
@@ -119,7 +199,7 @@ impl Session<'_> {
             execution.ending = Ending::Stopped;
         }
         if execution.ending == Ending::Stopped
-            && let Some(ending) = ended_early
+            && let Some(ending) = ended_early.filter(|_| !is_stopped)
         {
             execution.ending = ending;
         }
