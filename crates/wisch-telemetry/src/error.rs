@@ -246,7 +246,7 @@ pub enum ReadFault {
     },
     /// The times go back, and go on from there through times that were there before.
     #[error(
-        "{place}: the clock was set back from {last} s to {time} s: the log holds these times twice, with other values"
+        "{place}: the clock was set back from {last} s to {time} s: the log holds other values for the same times"
     )]
     ClockSetBack {
         /// Name of a message or line soon after that.

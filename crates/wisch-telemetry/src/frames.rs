@@ -90,7 +90,7 @@ impl Frames {
                 });
             (distance > MOST_CHANGE[0] || angle > MOST_CHANGE[1]).then(|| {
                 format!(
-                    "/tf_static states several poses of {child:?} in {:?}, {:.1} mm and {:.2}° apart: the last one is used for the whole log",
+                    "static transforms state several poses of {child:?} in {:?}, {:.1} mm and {:.2}° apart: the last one is used for the whole log",
                     link.parent,
                     1e3 * distance,
                     angle.to_degrees()
@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(
             frames.remark_on_changes(),
             [
-                "/tf_static states several poses of \"base\" in \"world\", 20.0 mm and 0.00° apart: the last one is used for the whole log"
+                "static transforms state several poses of \"base\" in \"world\", 20.0 mm and 0.00° apart: the last one is used for the whole log"
             ]
         );
     }

@@ -13,31 +13,67 @@ const LEAST_REPEATS: usize = 10;
 const LEAST_CHANGES: f64 = 0.8;
 /// Least share of the log that they have \[1\].
 const LEAST_OTHERS: f64 = 0.3;
-/// Longest time for which a pose repeats exactly while the force changes \[ns\], time over which forces are averaged \[ns\],
-/// and least change of these means, as a share of that over the whole log \[1\].
+/// Longest time for which a pose repeats exactly while the force changes \[ns\]; least distance \[m\] and angle \[rad\] at which
+/// it goes on elsewhere.
 const LONGEST_STILL: i64 = 1_000_000_000;
-const AVERAGED: i64 = 250_000_000;
-const LEAST_FORCE_CHANGE: f64 = 0.3;
+const ELSEWHERE: [f64; 2] = [5e-3, 0.05];
+/// Fewest forces that are averaged, and the least change of their means: in standard errors, and as a share of that over the
+/// whole log, for a pose that goes on elsewhere and for one that repeats until the end \[1\].
+const AVERAGED: usize = 10;
+const LEAST_ERRORS: f64 = 8.0;
+const LEAST_FORCE_CHANGE: [f64; 2] = [0.3, 0.6];
 
 /// Returns the intervals in which the pose repeats exactly although the force changes \[ns\], from the first repetition to the
-/// last: whoever sends the poses has stopped. The pose of a robot at rest may repeat, but then its force stays the same.
+/// last: whoever sends the poses has stopped.
+///
+/// The pose of a robot at rest may repeat as well. But a robot that moves on does so from where it rested, and what a resting
+/// tool measures changes little.
 pub(crate) fn find_frozen_poses(poses: &[(i64, Pose)], forces: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
+    let error = LEAST_ERRORS * standard_error(forces);
     let all = force_change(forces);
-    (poses.chunk_by(|a, b| a.1 == b.1))
-        .filter(|run| run.len() > LEAST_REPEATS && run[run.len() - 1].0 - run[0].0 > LONGEST_STILL)
-        .map(|run| [run[1].0, run[run.len() - 1].0])
-        .filter(|[from, to]| {
-            let first = forces.partition_point(|(time, _)| time < from);
-            let last = forces.partition_point(|(time, _)| time <= to);
-            all > 0.0 && force_change(&forces[first..last]) > LEAST_FORCE_CHANGE * all
-        })
-        .collect()
+    let mut frozen = Vec::new();
+    let mut first = 0;
+    for run in poses.chunk_by(|a, b| a.1 == b.1) {
+        let next = poses.get(first + run.len());
+        first += run.len();
+        let last = run[run.len() - 1].0;
+        if run.len() <= LEAST_REPEATS || last - run[0].0 <= LONGEST_STILL {
+            continue;
+        }
+        let share = match next {
+            Some((_, next)) if is_elsewhere(&run[0].1, next) => LEAST_FORCE_CHANGE[0],
+            Some(_) => continue,
+            None => LEAST_FORCE_CHANGE[1],
+        };
+        let from = forces.partition_point(|(time, _)| *time < run[1].0);
+        let to = forces.partition_point(|(time, _)| *time <= last);
+        let change = force_change(&forces[from..to]);
+        if change > error && change > share * all {
+            frozen.push([run[1].0, last]);
+        }
+    }
+    frozen
 }
 
-/// Size of the range of the forces, averaged over short times.
+fn is_elsewhere(before: &Pose, after: &Pose) -> bool {
+    let distance = (after.translation.vector - before.translation.vector).norm();
+    distance > ELSEWHERE[0] || before.rotation.angle_to(&after.rotation) > ELSEWHERE[1]
+}
+
+/// Standard error of the mean of [`AVERAGED`] forces.
+fn standard_error(forces: &[(i64, Vector3)]) -> f64 {
+    let mut steps: Vec<f64> = (forces.windows(2))
+        .map(|pair| (pair[1].1 - pair[0].1).norm())
+        .collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    // The median distance of two normal vectors is 2.175 standard deviations of a part of one.
+    let noise = steps.get(steps.len() / 2).copied().unwrap_or(0.0) / 2.175;
+    noise / (AVERAGED as f64).sqrt()
+}
+
+/// Size of the range of the forces, averaged over a few.
 fn force_change(forces: &[(i64, Vector3)]) -> f64 {
-    let means = forces.chunk_by(|a, b| a.0.div_euclid(AVERAGED) == b.0.div_euclid(AVERAGED));
-    let means = means.map(|part| {
+    let means = forces.chunks_exact(AVERAGED).map(|part| {
         let sum: Vector3 = part.iter().map(|(_, force)| force).sum();
         sum / part.len() as f64
     });
@@ -145,34 +181,51 @@ mod tests {
         assert!(find_frozen(&rests).is_empty(), "a dead band around zero");
     }
 
+    /// Twenty seconds at 100 Hz, with noise of the force: the pose moves at 0.1 m/s but for 4 to 14 s, and goes on with a jump
+    /// of this length; the tool presses with these forces in the seconds of its rest.
+    fn rest(jump: f64, press: [f64; 2]) -> (Vec<(i64, Pose)>, Vec<(i64, Vector3)>) {
+        let poses = (0..2000_i64).map(|k| {
+            let moved = k.min(400) + (k - 1400).max(0);
+            let place = moved as f64 * 1e-3 + if k > 1400 { jump } else { 0.0 };
+            (k * 10_000_000, Pose::translation(place, 0.0, 0.0))
+        });
+        let forces = (0..2000_i64).map(|k| {
+            let second = k / 100;
+            let pressed = match second {
+                4..14 => press[usize::from(second % 2 == 1)],
+                _ => 10.0 * f64::from(second % 2 == 1),
+            };
+            let noise = ((k * 7919 % 1000) as f64 / 500.0 - 1.0) * 0.5;
+            (k * 10_000_000, Vector3::new(noise, 0.0, pressed - noise))
+        });
+        (poses.collect(), forces.collect())
+    }
+
     #[test]
     fn a_pose_that_repeats_while_the_force_changes_is_frozen() {
-        // Ten seconds at 100 Hz: the pose moves for 4 s, then repeats; the tool presses in every other second.
-        let poses: Vec<(i64, Pose)> = (0..1000)
-            .map(|k: i64| {
-                (
-                    k * 10_000_000,
-                    Pose::translation(k.min(400) as f64 * 1e-3, 0.0, 0.0),
-                )
-            })
-            .collect();
-        let pressing = |until: i64| -> Vec<(i64, Vector3)> {
-            let force = |k: i64| {
-                if k < until && k / 100 % 2 == 1 {
-                    10.0
-                } else {
-                    0.0
-                }
-            };
-            (0..1000)
-                .map(|k| (k * 10_000_000, Vector3::new(0.0, 0.0, force(k))))
-                .collect()
+        let frozen = |(poses, forces): (Vec<(i64, Pose)>, Vec<(i64, Vector3)>)| {
+            find_frozen_poses(&poses, &forces)
         };
-        let repeats = vec![[4_010_000_000, 9_990_000_000]];
-        assert_eq!(find_frozen_poses(&poses, &pressing(1000)), repeats);
-        let rests = find_frozen_poses(&poses, &pressing(400));
-        assert!(rests.is_empty(), "a robot that rests in the air: {rests:?}");
-        assert!(find_frozen_poses(&poses[..450], &pressing(1000)).is_empty());
+        assert_eq!(
+            frozen(rest(0.1, [0.0, 10.0])),
+            [[4_010_000_000, 14_000_000_000]]
+        );
+        let nothing: [[i64; 2]; 0] = [];
+        assert_eq!(
+            frozen(rest(0.1, [0.0, 0.0])),
+            nothing,
+            "moved by hand in the air"
+        );
+        assert_eq!(
+            frozen(rest(0.0, [10.0, 5.0])),
+            nothing,
+            "a stop that relaxes"
+        );
+        let (poses, forces) = rest(0.1, [0.0, 10.0]);
+        let ends = find_frozen_poses(&poses[..1400], &forces[..1400]);
+        assert_eq!(ends, [[4_010_000_000, 13_990_000_000]]);
+        let (poses, forces) = rest(0.1, [0.0, 0.0]);
+        assert_eq!(find_frozen_poses(&poses[..1400], &forces[..1400]), nothing);
     }
 
     #[test]

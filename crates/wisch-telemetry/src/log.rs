@@ -335,15 +335,23 @@ fn combine(
     };
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let first = pairs[0].0;
-    let (unusable, saturated) = leave_out_unusable(&raw, &mut pairs);
+    let world = World::of(&raw, options)?;
+    let length = options.length_unit.unwrap_or(1.0);
+    let world_from_logged = |time, mut log_from_logged: Pose| {
+        log_from_logged.translation.vector *= length;
+        Some(world.at(time, options)? * log_from_logged)
+    };
+    let poses = raw.poses.entries.iter();
+    let poses: Vec<(i64, Pose)> = poses
+        .filter_map(|&(time, pose)| Some((time, world_from_logged(time, pose)?)))
+        .collect();
+    let (unusable, saturated) = leave_out_unusable(&raw, &poses, &mut pairs);
     if pairs.is_empty() {
         let count = unusable.count();
         return Err(ReadFault::UnusableWrenches { count });
     }
-    let world = World::of(&raw, options)?;
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(first);
-    let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
     let sign = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
         WrenchSign::OnTool => 1.0,
@@ -418,9 +426,10 @@ fn combine(
     })
 }
 
-/// Leaves out the samples whose wrench is not usable. Returns their numbers, and where the sensor is saturated.
+/// Leaves out the samples whose wrench is not usable, or whose pose is frozen. `poses`: in the world. Returns their numbers, and where the sensor is saturated.
 fn leave_out_unusable(
     raw: &RawLog,
+    poses: &[(i64, Pose)],
     pairs: &mut Vec<(i64, Pose, Vector3)>,
 ) -> (UnusableWrenches, Vec<Saturation>) {
     let mut unusable = UnusableWrenches::default();
@@ -435,13 +444,14 @@ fn leave_out_unusable(
         let next = intervals.partition_point(|[_, to]| *to < time);
         intervals.get(next).is_some_and(|[from, _]| *from <= time)
     };
-    let frozen_poses = find_frozen_poses(&raw.poses.entries, &raw.wrenches.entries);
+    let wrenches = raw.wrenches.entries.iter();
+    let usable: Vec<(i64, Vector3)> = wrenches
+        .filter(|(time, _)| raw.quality_at(*time).is_usable())
+        .copied()
+        .collect();
+    let frozen_poses = find_frozen_poses(poses, &usable);
     pairs.retain(|(time, ..)| {
         let is_frozen = covers(&frozen, *time);
-        if covers(&frozen_poses, *time) {
-            unusable.frozen_pose += 1;
-            return false;
-        }
         let quality = match raw.quality_at(*time) {
             WrenchQuality::Ok if is_frozen => WrenchQuality::Stale,
             WrenchQuality::Ok if saturated.iter().any(|found| found.covers(*time)) => {
@@ -450,7 +460,9 @@ fn leave_out_unusable(
             stated => stated,
         };
         unusable.add(quality);
-        quality.is_usable()
+        let has_frozen_pose = quality.is_usable() && covers(&frozen_poses, *time);
+        unusable.frozen_pose += usize::from(has_frozen_pose);
+        quality.is_usable() && !has_frozen_pose
     });
     (unusable, saturated)
 }

@@ -13,6 +13,9 @@ use wisch::robot::{JointMotion, JointTransform};
 
 /// Number of late entries in a row that may show a clock that was set back.
 const LATE_RUN: usize = 10;
+/// Least number of them that repeat the time of an earlier entry, and most earlier entries that are compared.
+const LEAST_REPEATED: usize = 8;
+const MOST_EARLIER: usize = 10_000;
 
 /// Values of one quantity in a log, by time.
 #[derive(Debug, Clone)]
@@ -250,17 +253,26 @@ impl<Q: Quantity> Track<Q> {
         Ok(())
     }
 
-    /// Whether the last entries, which are all late, have times that earlier entries have with other values: their clock was
-    /// set back. Messages that were only delayed fill a gap.
+    /// Whether the last entries, which are all late, have about the times of earlier entries with other values: their clock was
+    /// set back. Messages that were only delayed have times of their own.
     fn repeats_times(&self) -> bool {
         let (earlier, run) = self.entries.split_at(self.entries.len() - LATE_RUN);
         let [first, last] = [run[0].0, run[LATE_RUN - 1].0];
         if !run.is_sorted_by_key(|entry| entry.0) {
             return false;
         }
-        let same_times = earlier.iter().rev().take_while(|entry| entry.0 >= first);
-        let others = same_times.filter(|entry| entry.0 <= last && !run.contains(entry));
-        others.take(LATE_RUN / 2).count() == LATE_RUN / 2
+        let near = (last - first) / (4 * LATE_RUN as i64);
+        let mut others: Vec<i64> = (earlier.iter().rev().take(MOST_EARLIER))
+            .take_while(|entry| entry.0 >= first - near)
+            .filter(|entry| !run.contains(entry))
+            .map(|entry| entry.0)
+            .collect();
+        others.sort_unstable();
+        let is_repeated = |entry: &&(i64, Q)| {
+            let next = others.partition_point(|time| *time < entry.0 - near);
+            others.get(next).is_some_and(|time| *time <= entry.0 + near)
+        };
+        run.iter().filter(is_repeated).count() >= LEAST_REPEATED
     }
 
     /// Returns the track sorted by time, or empty. Of entries with the same time, the first is kept.
@@ -446,6 +458,13 @@ mod tests {
             .for_each(|k| push(&mut delayed, k, k as f64).unwrap());
         (100..150).for_each(|k| push(&mut delayed, k, k as f64).unwrap());
         assert_eq!(delayed.finish().unwrap().entries.len(), 200);
+        // Every second entry comes late, in bursts.
+        let mut two_ways = Track::new("/force".to_owned(), window);
+        for burst in 0..5 {
+            let times = |odd: i64| (0..20).map(move |k| 40 * burst + 2 * k + odd);
+            (times(0).chain(times(1))).for_each(|k| push(&mut two_ways, k, k as f64).unwrap());
+        }
+        assert_eq!(two_ways.finish().unwrap().entries.len(), 200);
     }
 
     #[test]

@@ -119,8 +119,8 @@ impl RunScore {
     }
 
     fn add_all(&mut self, window: &PhaseWindow, cells: &Cells) {
-        for channel in 0..CHANNELS {
-            if let Some(cell) = cells[channel][window.part()] {
+        for (channel, cells) in cells.iter().enumerate() {
+            if let Some(cell) = cells[window.part()] {
                 self.add(channel, window.values[channel], cell);
             }
         }

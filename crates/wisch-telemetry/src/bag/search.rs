@@ -285,9 +285,11 @@ impl<Q: Quantity> Candidate<Q> {
 
     /// Keeps the first frame of a message that is not that of the messages before it.
     fn compare_frame(&mut self, frame: &str) {
-        let plain = |frame: &str| frame.trim_start_matches('/').to_owned();
-        let differs = !frame.is_empty() && plain(frame) != plain(&self.frame);
-        if differs && self.other_frame.is_none() {
+        if self.frame.is_empty() {
+            frame.clone_into(&mut self.frame);
+        }
+        let [own, other] = [&self.frame, frame].map(|frame| frame.trim_start_matches('/'));
+        if !other.is_empty() && own != other && self.other_frame.is_none() {
             self.other_frame = Some(frame.to_owned());
         }
     }

@@ -116,7 +116,7 @@ impl Interpretation {
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
         let was_felt = self.diagnosis != Diagnosis::NoContact;
         let contradiction = update.find_contradiction(&self.belief, was_felt);
-        let is_proven = self.belief.was_seen || !update.observation.detections.is_empty();
+        let is_proven = self.belief.was_seen || update.shows_dirt();
         let is_unproven = !is_proven && !self.belief.is_certain() && !self.is_conclusive();
         self.belief = self.belief.observe(update);
         // An observation leaves no model error: what the replays omit does not affect what the camera sees.

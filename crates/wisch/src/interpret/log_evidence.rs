@@ -495,10 +495,11 @@ impl LogEvidence<'_> {
         let sum = |least: f64| gaps.iter().filter(|gap| **gap > least).sum::<f64>();
         let short = sum(SHORT_GAP.max(UNUSUAL * self.median_period()));
         let lasts = (path.first().zip(path.last())).map_or(0.0, |(a, b)| b.time[1] - a.time[0]);
+        let long = sum(LONGEST_GAP);
         let missing = if short > MANY_GAPS * lasts {
-            short
+            short.max(long)
         } else {
-            sum(LONGEST_GAP)
+            long
         };
         (begins || ends || missing > 0.0).then_some(Doubt::Incomplete {
             begins,

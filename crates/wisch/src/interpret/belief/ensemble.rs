@@ -96,6 +96,11 @@ impl Belief {
         }
     }
 
+    /// Returns the same belief, with whether a camera has shown dirt.
+    pub(super) fn with_seen(self, was_seen: bool) -> Self {
+        Self { was_seen, ..self }
+    }
+
     /// Returns the same members with new weights.
     pub(super) fn with_weights(&self, weights: Vec<f64>) -> Self {
         Self {
@@ -114,7 +119,7 @@ impl Belief {
         &self,
         members: Vec<(ParticleDistribution, Option<MemberState>)>,
         weights: Vec<f64>,
-        shows_dirt: bool,
+        was_seen: bool,
     ) -> Self {
         let (members, states): (Vec<_>, Vec<_>) = members.into_iter().unzip();
         Self {
@@ -125,7 +130,7 @@ impl Belief {
                 .collect::<Option<_>>()
                 .unwrap_or_default(),
             stiffness: self.stiffness,
-            was_seen: self.was_seen || shows_dirt,
+            was_seen,
         }
     }
 

@@ -66,7 +66,8 @@ impl DirtPrior {
                 None => drawn,
             }
         };
-        Belief::ensemble((0..members).into_par_iter().map(one).collect())
+        let belief = Belief::ensemble((0..members).into_par_iter().map(one).collect());
+        belief.with_seen(matches!(self, Self::Seen(_)) && !task.particles.is_empty())
     }
 
     fn points(&self, task: &Task, area: &Area<'_>, random: &mut ChaCha8Rng) -> Vec<Point2> {

@@ -86,8 +86,9 @@ impl Belief {
     /// A certain belief stays as it is, and so does a belief that is observed with a detection rate of 0.
     #[must_use]
     pub fn observe(&self, update: &ObservationUpdate<'_>) -> Self {
+        let was_seen = self.was_seen || update.shows_dirt();
         if self.is_certain() || update.sight.detection <= 0.0 {
-            return self.clone();
+            return self.clone().with_seen(was_seen);
         }
         let (weights, _) = update.reweight(self);
         let effective = effective_number(&weights);
@@ -110,8 +111,7 @@ impl Belief {
             let state = weighted.states.get(member);
             update.update_member(was, state, &believed, is_first, &mut random)
         });
-        let shows_dirt = !update.observation.detections.is_empty();
-        weighted.with_observed(members.collect(), weights, shows_dirt)
+        weighted.with_observed(members.collect(), weights, was_seen)
     }
 
     /// Whether a log has been replayed.
@@ -218,6 +218,11 @@ impl ObservationUpdate<'_> {
             fits[0] + fits[1]
         };
         belief.members().iter().map(fit).collect()
+    }
+
+    /// Whether the observation shows more detections than false alarms.
+    pub(in crate::interpret) fn shows_dirt(&self) -> bool {
+        self.sight.detection > 0.0 && self.observation.detections.len() as f64 > self.false_alarms()
     }
 
     /// Expected number of false alarms. Their share within the goal is the goal's share of the surface, which is small.

@@ -476,9 +476,19 @@ fn write_unusable(
         .collect();
     write!(
         f,
-        "the wrench of {} samples, {:.1} % of all, is not used as touch ({}): wiping at that time is not counted",
+        "{}{} samples, {:.1} % of all, {} not used as touch ({}): wiping at that time is not counted",
+        if unusable.frozen_pose > 0 {
+            ""
+        } else {
+            "the wrench of "
+        },
         unusable.count(),
         100.0 * share,
+        if unusable.frozen_pose > 0 {
+            "are"
+        } else {
+            "is"
+        },
         kinds.join(", ")
     )
 }

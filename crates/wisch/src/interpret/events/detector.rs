@@ -4,7 +4,7 @@
 //! extends over all pieces above the lower one, short interruptions included.
 
 use super::event::{Event, EventKind};
-use crate::geometry::{PlanarPose, Region, Vector3};
+use crate::geometry::{PlanarPose, Region, Vector2, Vector3};
 use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
 use crate::represent::Surface;
@@ -16,9 +16,10 @@ const LEAST_CONTACTS: usize = 50;
 /// ones is that of the tool, and how far beyond its upper quartile wiping may go then [1].
 const STEADY_FRICTION: f64 = 0.25;
 const OVER_FRICTION: f64 = 1.2;
-/// Least way over four pieces that has a direction [m], and least cosine between its opposite and the force of friction
+/// Least way around a piece that has a direction [m], its longest duration [s], and least cosine between its opposite and the force of friction
 /// [1].
 const LEAST_WAY: f64 = 1e-3;
+const LONGEST_WAY: f64 = 0.5;
 const ALONG: f64 = 0.8;
 
 /// Position error of a tool relative to the surface's border [m]: grasp and localisation together.
@@ -257,15 +258,33 @@ fn measure_friction(
 /// of a hand that pulls the tool along points the other way.
 fn opposes_motion(pieces: &[MeasuredPiece], path: &[PathPiece]) -> bool {
     let (mut against, mut all) = (0, 0);
-    for i in 2..path.len().saturating_sub(2) {
-        let way = path[i + 2].position.xy() - path[i - 2].position.xy();
-        if path[i].touch == Touch::Confident && way.norm() > LEAST_WAY {
+    for (i, piece) in path.iter().enumerate() {
+        if piece.touch != Touch::Confident {
+            continue;
+        }
+        if let Some(way) = way_around(path, i) {
             all += 1;
             let force = pieces[i].force.xy();
             against += usize::from(-force.dot(&way) >= ALONG * force.norm() * way.norm());
         }
     }
     all >= LEAST_CONTACTS && against * 5 >= all * 4
+}
+
+/// Returns the shortest way around a piece that has a direction; `None` for a tool that rests.
+fn way_around(path: &[PathPiece], i: usize) -> Option<Vector2> {
+    for reach in 2..path.len() {
+        let before = &path[i.saturating_sub(reach)];
+        let after = &path[(i + reach).min(path.len() - 1)];
+        let way = after.position.xy() - before.position.xy();
+        if way.norm() > LEAST_WAY {
+            return Some(way);
+        }
+        if after.time[1] - before.time[0] > LONGEST_WAY {
+            break;
+        }
+    }
+    None
 }
 
 /// A stretch of pieces that may be an event.
