@@ -210,6 +210,7 @@ fn the_ready_posture_fits_a_task_and_the_same_seed_gives_the_same_file() {
         let (code, out, err) = setup(folder.path(), &args);
         assert_eq!((code, err.as_str()), (0, ""));
         assert!(out.contains("over chopping_board"), "{out}");
+        assert!(out.contains("fewest nodes out of reach: 0 of "), "{out}");
         fs::read_to_string(folder.path().join(file)).expect("an SRDF")
     };
     let first = out_of("a.srdf", "0");

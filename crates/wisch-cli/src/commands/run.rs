@@ -383,9 +383,10 @@ fn remark_unseen(results: &RunResults) {
             "the camera detects no dirt, where {least:.0} to {most:.0} detections were expected: the surface is clean, or the camera does not see the dirt; nothing was wiped (--touch-only wipes without the camera)"
         ));
     }
-    if results.is_unmeasured && results.plan.strokes.is_empty() {
+    let moves_dirt = results.task.treatment.is_none();
+    if results.is_unmeasured && results.plan.strokes.is_empty() && moves_dirt {
         remark(
-            "nothing was wiped, as no stroke is predicted to bring dirt to the goal, and nothing shows where the dirt is: a camera would (perception.senses), or a smaller goal area for collect",
+            "nothing was wiped, as the plan has no stroke, and nothing shows whether dirt is left: a camera would (perception.senses)",
         );
     }
 }

@@ -118,10 +118,15 @@ fn tool(table: &At<ToolTable>) -> Result<Option<ToolEntry>, TaskError> {
     };
     let name = (given.name.as_ref()).ok_or_else(|| table.missing("name"))?;
     let depth = given.compression_depth_m.as_ref();
+    // A thin cloth is pressed in by less.
+    let usual = match &mesh {
+        ToolMesh::Cuboid(size) => COMPRESSION_DEPTH.min(size.z / 2.0),
+        ToolMesh::InKnowledge(_) | ToolMesh::BesideTask(_) => COMPRESSION_DEPTH,
+    };
     Ok(Some(ToolEntry {
         name: new_name(name)?,
         mesh,
-        compression_depth_m: depth.map_or(COMPRESSION_DEPTH, |depth| depth.value.0),
+        compression_depth_m: depth.map_or(usual, |depth| depth.value.0),
         area_of_effect: None,
         rotation_about_normal: AngleRange::FULL,
         tilt: None,

@@ -59,4 +59,4 @@ pub use postures::{held_posture, middle_posture};
 pub use ready::{
     ReadyPosture, ReadyRequest, SINGULAR, find_ready, find_ready_postures, manipulability,
 };
-pub use region::{WipingRegion, find_table, hand_extent};
+pub use region::{WipingRegion, find_table, hand_extent, lowest_point};

@@ -155,8 +155,8 @@ pub fn find_ready(
 
 /// Searches for several ready postures, as [`find_ready`] does, the best one first.
 ///
-/// `count`: largest number of postures, at least 1. In each of them, a joint is 0.8 rad or m or more from its position
-/// in all better ones, so that an elbow above the tool and one below it are both among them.
+/// `count`: largest number of postures, at least 1. Each of them differs from every better one by 0.8 rad or m or more in
+/// some joint.
 ///
 /// # Errors
 /// If a setting is out of range, the group or posture does not fit the robot, or every posture collides.

@@ -230,8 +230,10 @@ pub fn hand_extent(
     Ok(ends.fold(0.0, f64::max))
 }
 
-/// Returns the least height of a shape in the root frame [m].
-fn lowest_point(root_from_link: &Pose, collision: &Collision) -> f64 {
+/// Returns the least height of a shape in the root frame \[m\].
+///
+/// `root_from_link`: pose of the shape's link in the root frame \[m\].
+pub fn lowest_point(root_from_link: &Pose, collision: &Collision) -> f64 {
     let root_from_shape = root_from_link * collision.link_from_shape;
     let height = |x: f64, y: f64, z: f64| (root_from_shape * Point3::new(x, y, z)).z;
     let axis_z = (root_from_shape.rotation * Vector3::z()).z.abs();

@@ -127,7 +127,9 @@ fn check_start(cell: &Workcell, config: &FollowConfig) -> Result<(), FollowError
 /// Checks that the lifted tool is as far from the surface as from other obstacles. A lift begins where the tool is pressed
 /// into the surface.
 fn check_lift(task: &Task, plan: &Plan, config: &FollowConfig) -> Result<(), FollowError> {
-    let pressed = task.interaction.compression_depth_m.max(0.0);
+    let depth = task.interaction.compression_depth_m;
+    let (low, _) = super::workcell::relax(&task.tool.mesh, depth)?.bounds();
+    let pressed = (-low.z).max(0.0);
     let (lift, least) = (plan.lift_height, pressed + config.margin);
     if plan.strokes.is_empty() || task.interaction.hovers() || lift > least {
         return Ok(());

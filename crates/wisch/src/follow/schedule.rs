@@ -70,7 +70,7 @@ pub(super) fn time_motion(
             ..TimingConfig::default()
         };
         let fastest = time_path(joints, cell.limits(), &timing)?;
-        let slowed = slow_to_efforts(cell, fastest, cell.tool_load(task, phase))?;
+        let slowed = slow_to_efforts(cell, task, fastest, cell.tool_load(task, phase))?;
         Ok(slowed.with_acceleration_ramp(config.acceleration_ramp))
     };
     let ways = (speed.is_finite().then(|| measure_ways(cell, path))).transpose()?;
@@ -137,6 +137,7 @@ fn divide_steps(path: &[Vec<f64>]) -> Vec<Vec<f64>> {
 /// report.
 fn slow_to_efforts(
     cell: &Workcell,
+    task: &Task,
     trajectory: Trajectory,
     load: Option<f64>,
 ) -> Result<Trajectory, FollowError> {
@@ -186,19 +187,22 @@ fn slow_to_efforts(
         let moving: Vec<f64> = (efforts(&state).iter().zip(&carrying))
             .map(|(whole, carrying)| whole - carrying)
             .collect();
-        let mut carrying = carrying;
+        // Contact may begin late or be lost, so the efforts without it count as well.
+        let mut held = vec![carrying.clone()];
         if let Some(force) = load {
-            let pressing = press_efforts(cell, &sample.q, force)?;
-            for (effort, joint) in carrying.iter_mut().zip(articulation.joints()) {
-                *effort += pressing[joint.id.index()];
-            }
+            let pressing = press_efforts(cell, task, &sample.q, force)?;
+            let joints = articulation.joints().iter();
+            let pressing = joints.map(|joint| pressing[joint.id.index()]);
+            held.push(carrying.iter().zip(pressing).map(|(a, b)| a + b).collect());
         }
-        for ((moving, carrying), limit) in moving.iter().zip(carrying).zip(&limits) {
-            // The effort left in the direction of the motion.
-            let left = EFFORT_SHARE * limit - carrying * moving.signum();
-            if left > LEAST_LEFT * limit && left.is_finite() {
-                // Slower by a factor s, the efforts of the motion shrink by s²; s² is the largest ratio needed.
-                square = square.max(moving.abs() / left);
+        for held in &held {
+            for ((moving, held), limit) in moving.iter().zip(held).zip(&limits) {
+                // The effort left in the direction of the motion.
+                let left = EFFORT_SHARE * limit - held * moving.signum();
+                if left > LEAST_LEFT * limit && left.is_finite() {
+                    // Slower by a factor s, the efforts of the motion shrink by s²; s² is the largest ratio needed.
+                    square = square.max(moving.abs() / left);
+                }
             }
         }
     }
@@ -211,12 +215,17 @@ fn slow_to_efforts(
 
 /// Returns the effort by which each joint holds its tool against the force of the surface, in the order of the robot's
 /// joints \[Nm or N\]: −Jᵀ F, where a joint that moves others has their efforts too.
-fn press_efforts(cell: &Workcell, q: &[f64], force: f64) -> Result<Vec<f64>, FollowError> {
+fn press_efforts(
+    cell: &Workcell,
+    task: &Task,
+    q: &[f64],
+    force: f64,
+) -> Result<Vec<f64>, FollowError> {
     let robot = cell.robot();
     let kinematics = robot.forward_kinematics(q)?;
     let root_from_tool = kinematics.world_from_link(cell.tip()) * cell.tip_from_tool();
-    let reaction = root_from_tool.rotation * Vector3::z() * force;
     let place = root_from_tool.translation.vector;
+    let reaction = cell.normal_at(task, place) * force;
     let mut through = vec![0.0; robot.joints().len()];
     for (i, joint) in robot.joints().iter().enumerate() {
         let is_above = robot

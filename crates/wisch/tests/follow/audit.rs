@@ -322,6 +322,58 @@ fn with_effort(urdf: &str, joint: &str, effort: f64) -> String {
 }
 
 #[test]
+fn the_force_of_the_surface_counts_as_effort() {
+    let Good {
+        mut task,
+        cell,
+        followed,
+    } = good();
+    let force = 200.0;
+    task.interaction.press_force_n = force;
+    let faults = audit(&followed, &cell, &task, &FollowConfig::default())
+        .unwrap()
+        .faults;
+    let loaded = faults.iter().find_map(|fault| match fault {
+        MotionFault::Effort {
+            time,
+            joint,
+            effort,
+            press: Some(press),
+            ..
+        } => Some((*time, joint, *effort, *press)),
+        _ => None,
+    });
+    let (time, joint, effort, press) = loaded.expect("a joint that is too weak");
+    assert_eq!(press, force);
+    let robot = cell.robot();
+    let variable = (0..robot.dof()).find(|&i| robot.variable(i).name == *joint);
+    let variable = variable.unwrap();
+    let motion = followed.motion_at(time).unwrap();
+    let TrajectorySample { q, qd, qdd, .. } = motion.trajectory.sample(time - motion.start);
+    // By how much the tool rises over the surface when the joint moves, by central differences.
+    let height = |change: f64| {
+        let mut q = q.clone();
+        q[variable] += change;
+        let tip = robot
+            .forward_kinematics(&q)
+            .unwrap()
+            .world_from_link(cell.tip());
+        let world_from_tool = cell.world_from_root() * tip * cell.tip_from_tool();
+        let normal = task.surface.world_from_surface * Vector3::z();
+        world_from_tool.translation.vector.dot(&normal)
+    };
+    let rise = (height(1e-6) - height(-1e-6)) / 2e-6;
+    let gravity = Vector3::new(0.0, 0.0, -9.81);
+    let dynamics = robot.dynamics().unwrap();
+    let own = dynamics.inverse_dynamics(&q, &qd, &qdd, gravity).unwrap()[variable];
+    let expected = own - force * rise;
+    assert!(
+        (effort - expected).abs() < 0.02 * expected.abs(),
+        "{joint} at {time} s: {effort}, expected {expected} of which {own} moves the robot"
+    );
+}
+
+#[test]
 fn a_joint_that_follows_others_and_is_too_weak_for_the_robots_weight_is_a_fault() {
     let (task, cell) = humanoid();
     let motion = moved(&cell, Phase::FreeMotion, &[("torso_2", -0.9)]);

@@ -4,9 +4,10 @@
 //! Paul 1980).
 
 use super::kinematics::{Frame, moved_by};
-use crate::follow::TrajectorySample;
-use crate::geometry::{Pose, Vector3};
-use crate::robot::{Joint, JointKind, LinkId, RobotModel};
+use crate::follow::{TrajectorySample, Workcell};
+use crate::geometry::Vector3;
+use crate::represent::Task;
+use crate::robot::{Joint, JointKind, RobotModel};
 
 /// Motion of a link, in the frame of the root.
 #[derive(Debug, Clone)]
@@ -20,11 +21,10 @@ struct LinkMotion {
 
 /// Force of the surface on a tool.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ToolLoad {
-    /// The link that holds the tool, and the tool in its frame.
-    pub(super) tip: LinkId,
-    pub(super) tip_from_tool: Pose,
-    /// Size of the force, along the tool's z axis [N].
+pub(super) struct ToolLoad<'a> {
+    pub(super) cell: &'a Workcell,
+    pub(super) task: &'a Task,
+    /// Size of the force, along the surface's outward normal [N].
     pub(super) force: f64,
 }
 
@@ -34,7 +34,7 @@ pub(super) fn joint_efforts(
     robot: &RobotModel,
     sample: &TrajectorySample,
     gravity_in_root: Vector3,
-    load: Option<&ToolLoad>,
+    load: Option<&ToolLoad<'_>>,
 ) -> Vec<f64> {
     let rate = |joint: &Joint, of: &[f64]| -> f64 {
         let terms = joint.drive.terms.iter();
@@ -93,16 +93,11 @@ pub(super) fn joint_efforts(
         .collect();
     if let Some(load) = load {
         // The joints carry what the surface does not.
-        let Frame { rotation, origin } = links[load.tip.index()].frame;
-        let turned = rotation
-            * load
-                .tip_from_tool
-                .rotation
-                .to_rotation_matrix()
-                .into_inner();
-        let place = origin + rotation * load.tip_from_tool.translation.vector;
-        let reaction = turned * Vector3::z() * load.force;
-        let (force, moment) = &mut wrenches[load.tip.index()];
+        let tip = load.cell.tip().index();
+        let Frame { rotation, origin } = links[tip].frame;
+        let place = origin + rotation * load.cell.tip_from_tool().translation.vector;
+        let reaction = load.cell.normal_at(load.task, place) * load.force;
+        let (force, moment) = &mut wrenches[tip];
         *force -= reaction;
         *moment -= place.cross(&reaction);
     }

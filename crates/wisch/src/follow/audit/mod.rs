@@ -453,29 +453,33 @@ fn check_efforts(
 ) {
     let robot = cell.robot();
     let gravity_in_root = cell.world_from_root().rotation.inverse() * GRAVITY;
-    let load = cell.tool_load(task, motion.phase).map(|force| ToolLoad {
-        tip: cell.tip(),
-        tip_from_tool: *cell.tip_from_tool(),
-        force,
-    });
-    let is_variable = |i: usize| robot.variables().iter().any(|id| id.index() == i);
+    let load = cell.tool_load(task, motion.phase);
+    let load = load.map(|force| ToolLoad { cell, task, force });
+    // Contact may begin late or be lost, so the efforts without it count as well.
+    let loads = [None, load.as_ref()];
+    let loads = if load.is_some() {
+        &loads[..]
+    } else {
+        &loads[..1]
+    };
     for sample in samples {
-        let through = joint_efforts(robot, sample, gravity_in_root, load.as_ref());
-        let mut of_variables = vec![0.0; robot.dof()];
-        for (joint, effort) in robot.joints().iter().zip(&through) {
-            for &(variable, factor) in &joint.drive.terms {
-                of_variables[variable] += factor * effort;
-            }
-        }
+        let efforts: Vec<Vec<f64>> = (loads.iter())
+            .map(|load| {
+                driven_efforts(robot, &joint_efforts(robot, sample, gravity_in_root, *load))
+            })
+            .collect();
         for (i, joint) in robot.joints().iter().enumerate() {
             let Some(limit) = joint.limits.effort else {
                 continue;
             };
-            let effort = match joint.drive.terms[..] {
-                [(variable, _)] if is_variable(i) => of_variables[variable],
-                _ => through[i],
-            };
-            if effort.abs() > limit * (1.0 + EFFORT_TOLERANCE) {
+            let both = efforts
+                .iter()
+                .zip(loads)
+                .map(|(efforts, load)| (efforts[i], load));
+            let largest = both.reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
+            if let Some((effort, load)) = largest
+                && effort.abs() > limit * (1.0 + EFFORT_TOLERANCE)
+            {
                 faults.push(MotionFault::Effort {
                     time: motion.start + sample.time,
                     joint: joint.name.clone(),
@@ -487,6 +491,25 @@ fn check_efforts(
             }
         }
     }
+}
+
+/// Returns the effort of each joint, of those through all joints: that of a variable with all joints that it moves.
+fn driven_efforts(robot: &RobotModel, through: &[f64]) -> Vec<f64> {
+    let mut efforts = through.to_vec();
+    let mut of_variables = vec![0.0; robot.dof()];
+    for (joint, effort) in robot.joints().iter().zip(through) {
+        for &(variable, factor) in &joint.drive.terms {
+            of_variables[variable] += factor * effort;
+        }
+    }
+    for (variable, id) in robot.variables().iter().enumerate() {
+        if let [(own, _)] = robot.joints()[id.index()].drive.terms[..]
+            && own == variable
+        {
+            efforts[id.index()] = of_variables[variable];
+        }
+    }
+    efforts
 }
 
 /// Checks the clearance between all bodies at every time of a motion.

@@ -7,6 +7,7 @@ use super::target_surface::{PlacedTool, TargetSurface, is_tool_behind};
 use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{SceneObject, ScenePart, Surface, Task};
+use crate::robot::setup::lowest_point;
 use crate::robot::{CollisionModel, LinkId, RobotError, RobotModel, Srdf};
 use std::collections::BTreeSet;
 
@@ -16,8 +17,8 @@ const TOOL_RIM: f64 = 2.8e-3;
 
 /// Size of the floor under a robot that drives [m].
 const FLOOR: Vector3 = Vector3::new(2000.0, 2000.0, 1.0);
-/// Height of a surface up to which it counts as part of the floor [m].
-const FLOOR_SURFACE: f64 = 0.01;
+/// Height of a surface over the floor up to which the tool may touch the floor beside it [m].
+const FLOOR_SURFACE: f64 = 0.02;
 
 /// Collision models, by what the tool may touch and which variables move.
 #[derive(Debug, Clone)]
@@ -128,7 +129,7 @@ impl<'a> MountedTool<'a> {
         let mut floor = None;
         if let Some(base) = base {
             self.allow_driving(&base, &objects, &surface.face)?;
-            floor = Some(self.add_floor(&objects, &surface, arm)?);
+            floor = Some(self.add_floor(&objects, &surface, (ready, arm))?);
         }
         self.allow_wiping(&objects, &surface)?;
         if let Some(behind) = &surface.behind {
@@ -192,13 +193,14 @@ impl<'a> MountedTool<'a> {
         TargetSurface::add(self.task, &root_from_world, &unused, waits_behind, models)
     }
 
-    /// Adds the floor on which the base moves, at z = 0 of the world, and returns its name. Links that no arm moves stand on
-    /// it. The tool may touch it where the surface lies on it.
+    /// Adds the floor on which the base moves, and returns its name: at z = 0 of the world, or lower if the robot or the surface
+    /// reaches below. Links that no arm moves stand on it. The tool may touch it where the surface lies on it. `posture`: the
+    /// ready posture, and the variables of the arms.
     fn add_floor(
         &mut self,
         objects: &[NamedObject<'_>],
         surface: &TargetSurface,
-        arm: &[usize],
+        (ready, arm): (&[f64], &[usize]),
     ) -> Result<String, FollowError> {
         let floor = find_unused(self.robot, "floor", " of the robot", &|name| {
             [&self.tool, &self.core, &surface.face].contains(&name)
@@ -206,16 +208,27 @@ impl<'a> MountedTool<'a> {
                 || surface.behind.as_ref() == Some(name)
         });
         let mesh = Mesh::cuboid(FLOOR).map_err(FollowError::Surface)?;
+        let standing = unmoved_links(self.robot, arm);
+        let kinematics = self.robot.forward_kinematics(ready)?;
+        let mut top = heights(&self.task.surface).fold(0.0, f64::min);
+        for link in &standing {
+            let link = self.robot.link(link)?;
+            let world_from_link = self.mount.world_from_root * kinematics.world_from_link(link);
+            let shapes = self.robot.links()[link.index()].collision.iter();
+            top = shapes
+                .map(|shape| lowest_point(&world_from_link, shape))
+                .fold(top, f64::min);
+        }
         let root_from_floor =
-            self.mount.world_from_root.inverse() * Pose::translation(0.0, 0.0, -FLOOR.z / 2.0);
+            self.mount.world_from_root.inverse() * Pose::translation(0.0, 0.0, top - FLOOR.z / 2.0);
         for model in self.models.all() {
             model.add_obstacle(&floor, root_from_floor, &mesh)?;
         }
-        for link in unmoved_links(self.robot, arm) {
-            self.models.allow_in_all(&link, &floor)?;
+        for link in &standing {
+            self.models.allow_in_all(link, &floor)?;
         }
         self.models.rimless.allow(&self.tool, &floor)?;
-        if highest_point(&self.task.surface) < FLOOR_SURFACE {
+        if heights(&self.task.surface).fold(f64::NEG_INFINITY, f64::max) < top + FLOOR_SURFACE {
             self.models.allow_in_all(&self.tool, &floor)?;
             self.models.rimless.allow(&self.core, &floor)?;
         }
@@ -319,11 +332,10 @@ fn find_unused(
     name
 }
 
-/// Returns the greatest height of a surface's border above the floor [m].
-fn highest_point(surface: &Surface) -> f64 {
+/// Returns the heights of a surface's border in the world [m].
+fn heights(surface: &Surface) -> impl Iterator<Item = f64> + '_ {
     let corners = surface.outline.outer().iter();
-    let heights = corners.map(|corner| surface.world_from_place(*corner, 0.0).translation.z);
-    heights.fold(f64::NEG_INFINITY, f64::max)
+    corners.map(|corner| surface.world_from_place(*corner, 0.0).translation.z)
 }
 
 /// Returns the links with shapes that none of these variables moves.

@@ -11,7 +11,7 @@ pub use group::{PlanarBase, PlanningGroup, StartAssumption};
 pub use second_arm::{GRIP_TOLERANCE, LEAN_TOLERANCE, SecondArm};
 
 use crate::follow::{FollowError, FollowerLimit, JointLimit, JointLimits, Phase, ToolPose};
-use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
+use crate::geometry::{PlanarPose, Point2, Point3, Pose, Vector3};
 use crate::plan::Plan;
 use crate::represent::{SecondGrip, SurfaceShape, Task, Tool};
 use crate::robot::{
@@ -19,6 +19,7 @@ use crate::robot::{
     Srdf,
 };
 use collisions::{MountedTool, WorkcellCollisions};
+pub(in crate::follow) use grasp::relax;
 pub use grasp::{HeldTool, MountSource};
 use group::{held_joints, planar_base, set_named_state};
 pub use holder::HolderCylinder;
@@ -188,11 +189,25 @@ impl Workcell {
         &self.mount.tip_from_tool
     }
 
-    /// Force of the surface on the tool in a phase of a task's motion, along the tool's z axis \[N\]; `None` out of contact,
-    /// for a tool that hovers, and for one in two hands, whose shares are unknown.
+    /// Force of the surface on the tool in a phase of a task's motion, along the surface's outward normal \[N\]; `None` out of
+    /// contact, for a tool that hovers, and for one in two hands, whose shares are unknown.
     pub fn tool_load(&self, task: &Task, phase: Phase) -> Option<f64> {
         let force = Some(task.interaction.contact_force()).filter(|force| *force > 0.0);
         force.filter(|_| phase.is_contact() && self.second_arm().is_none())
+    }
+
+    /// Returns the outward normal of a task's surface in the robot's root frame, at the place of the tool there \[m\].
+    pub(in crate::follow) fn normal_at(&self, task: &Task, tool_in_root: Vector3) -> Vector3 {
+        let surface = &task.surface;
+        // A plane has the same normal everywhere.
+        let place = if surface.shape.is_plane() {
+            Point2::origin()
+        } else {
+            surface
+                .chart(self.world_from_root * Point3::from(tool_in_root))
+                .place
+        };
+        self.world_from_root.rotation.inverse() * surface.normal(place)
     }
 
     /// How the robot holds the tool, and whether that is declared or assumed.
