@@ -115,7 +115,7 @@ export interface Considered {
   strategy: string;
   /** Whether it was chosen. */
   chosen: boolean;
-  /** Score: share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time. */
+  /** Score: share of the dirt that reaches the goal, minus three times the lost share, minus the share at risk in heaps near an edge, minus costs of remaining dirt by its distance, of path length and time. */
   score: number | null;
   /** Performance, and what is lost, in [0, 1]. */
   predicted: number | null;

@@ -145,7 +145,7 @@ export class Why {
         el("th", { scope: "row" }, chosen && "\u2713 ", rejected ? this.makeKeeper(strategy, rejected) : strategy, chosen && el("span", { class: "w-hidden" }, " (chosen)")),
         ...(error ? [el("td", { class: "w-none-found", colspan: names.length - 1 }, `no plan: ${error}`)] : cells.map((text) => el("td", {}, text))));
     });
-    return makeChoice("Candidate plans", makeTable(names, rows, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus what heaps near an edge put at risk, minus costs of remaining dirt by its distance, of path length and time."));
+    return makeChoice("Candidate plans", makeTable(names, rows, "Share: predicted performance. Lost: predicted share of lost dirt. Score: predicted share of the dirt that reaches the goal, minus three times the lost share, minus the share at risk in heaps near an edge, minus costs of remaining dirt by its distance, of path length and time."));
   }
 
   /** Makes the table of the strokes. A click on a stroke shows where it begins, and below it the board with and without it. */
