@@ -190,7 +190,7 @@ fn the_humanoid_follows_the_board() {
 #[test]
 fn an_arm_that_is_bolted_down_passes_every_node() {
     let folder = folder_with("arm-board.toml");
-    let args = ["run", "task.toml", "--out", "result"];
+    let args = ["run", "task.toml", "--out", "result", "--no-memory"];
     let summary_of = summary(folder.path(), &args);
     assert_eq!(summary_of["robot"], "arm7");
     assert_eq!(summary_of["abandoned_nodes"], 0);

@@ -24,7 +24,7 @@ const LEAST_ERRORS: f64 = 8.0;
 const LEAST_FORCE_CHANGE: [f64; 2] = [0.3, 0.6];
 
 /// Returns the intervals in which the pose repeats exactly although the force changes \[ns\], from the first repetition to the
-/// last: whoever sends the poses has stopped.
+/// last: their source has stopped.
 ///
 /// The pose of a robot at rest may repeat as well. But a robot that moves on does so from where it rested, and what a resting
 /// tool measures changes little.

@@ -336,15 +336,7 @@ fn combine(
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let first = pairs[0].0;
     let world = World::of(&raw, options)?;
-    let length = options.length_unit.unwrap_or(1.0);
-    let world_from_logged = |time, mut log_from_logged: Pose| {
-        log_from_logged.translation.vector *= length;
-        Some(world.at(time, options)? * log_from_logged)
-    };
-    let poses = raw.poses.entries.iter();
-    let poses: Vec<(i64, Pose)> = poses
-        .filter_map(|&(time, pose)| Some((time, world_from_logged(time, pose)?)))
-        .collect();
+    let poses = world.poses_of(&raw, options);
     let (unusable, saturated) = leave_out_unusable(&raw, &poses, &mut pairs);
     if pairs.is_empty() {
         let count = unusable.count();
@@ -352,6 +344,7 @@ fn combine(
     }
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(first);
+    let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
     let sign = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
         WrenchSign::OnTool => 1.0,
@@ -512,6 +505,17 @@ impl<'a> World<'a> {
             )),
         };
         Ok(Self { chain, remark })
+    }
+
+    /// Returns the logged poses in the world, with their times, where both are known.
+    fn poses_of(&self, raw: &RawLog, options: &LogOptions) -> Vec<(i64, Pose)> {
+        let length = options.length_unit.unwrap_or(1.0);
+        let entries = raw.poses.entries.iter();
+        let posed = entries.filter_map(|&(time, mut log_from_logged)| {
+            log_from_logged.translation.vector *= length;
+            Some((time, self.at(time, options)? * log_from_logged))
+        });
+        posed.collect()
     }
 
     fn at(&self, time: i64, options: &LogOptions) -> Option<Pose> {

@@ -1,6 +1,6 @@
 //! The search for groups, pairs and a ready posture, with a tool on the tip and, if there is a task, in its scene.
 
-use super::trial::{Trial, Tried};
+use super::trial::{Trial, Tried, states};
 use wisch::follow::{FollowError, Workcell, WorkcellConfig};
 use wisch::geometry::{Bounds2, Mesh, Pose, Vector3};
 use wisch::robot::setup::{
@@ -281,29 +281,6 @@ fn rest_state(robot: &RobotModel) -> Vec<GroupState> {
         positions: driving.into_iter().map(|v| (v, held[v])).collect(),
     };
     Vec::from_iter((!state.positions.is_empty()).then_some(state))
-}
-
-/// Returns the ready states of all groups, from the last posture, which has all arms in place.
-pub(super) fn states(
-    robot: &RobotModel,
-    arms: &[ArmChain],
-    ready: &[(Group, ReadyPosture)],
-) -> Result<Vec<GroupState>, SetupError> {
-    let Some((_, last)) = ready.last() else {
-        return Ok(Vec::new());
-    };
-    let groups = arms.iter().flat_map(|arm| &arm.groups);
-    let states = groups.map(|proposed| {
-        let group = &proposed.group;
-        let chain = robot.chain(group.base, group.tip)?;
-        let positions = chain.variables().iter().map(|&v| (v, last.q[v]));
-        Ok(GroupState {
-            name: READY_STATE.to_owned(),
-            group: group.name.clone(),
-            positions: positions.collect(),
-        })
-    });
-    states.collect()
 }
 
 /// Returns the joints that need more effort to hold a posture than their limits permit. A robot that exists holds it, so

@@ -1,11 +1,10 @@
 //! Trials of ready postures: a plan over the task's whole surface is followed from each.
 
-use super::proposal::states;
 use rayon::prelude::*;
 use wisch::follow::{Workcell, WorkcellConfig, follow};
 use wisch::plan::{CoverageStrategy, Plan, PlanConfig, Planner, Strategy};
 use wisch::robot::setup::{ArmChain, ReadyPosture, SetupError};
-use wisch::robot::{Group, RobotModel, Srdf};
+use wisch::robot::{Group, GroupState, READY_STATE, RobotModel, Srdf};
 use wisch_io::LoadedTask;
 
 /// Most nodes of a plan that is followed from several postures; larger plans take too long.
@@ -90,4 +89,27 @@ impl<'a> Trial<'a> {
         let followed = follow(task, &self.plan, &cell, None, &config, &mut |_| {}).ok()?;
         Some(followed.abandoned.len())
     }
+}
+
+/// Returns the ready states of all groups, from the last posture, which has all arms in place.
+pub(super) fn states(
+    robot: &RobotModel,
+    arms: &[ArmChain],
+    ready: &[(Group, ReadyPosture)],
+) -> Result<Vec<GroupState>, SetupError> {
+    let Some((_, last)) = ready.last() else {
+        return Ok(Vec::new());
+    };
+    let groups = arms.iter().flat_map(|arm| &arm.groups);
+    let states = groups.map(|proposed| {
+        let group = &proposed.group;
+        let chain = robot.chain(group.base, group.tip)?;
+        let positions = chain.variables().iter().map(|&v| (v, last.q[v]));
+        Ok(GroupState {
+            name: READY_STATE.to_owned(),
+            group: group.name.clone(),
+            positions: positions.collect(),
+        })
+    });
+    states.collect()
 }
