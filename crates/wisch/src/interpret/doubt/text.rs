@@ -6,6 +6,10 @@ use crate::interpret::contact::{ContactLevel, STIFFEST};
 use crate::interpret::wrench_quality::UnusableWrenches;
 use std::fmt;
 
+/// Texts of doubts without values.
+const NO_FREE_MOTION: &str = "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface";
+const UNPROVEN_CAMERA: &str = "the observation shows no dirt, and no earlier one shows that the camera detects any: it does not decide what touch cannot";
+
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -18,9 +22,7 @@ impl fmt::Display for Doubt {
             Self::ForceInOtherUnit { force, declared } => write_other_unit(f, force, declared),
             Self::FarAway { distance } => write_far_away(f, distance),
             Self::NeverNearSurface { closest } => write_never_near(f, closest),
-            Self::NoFreeMotion => f.write_str(
-                "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface",
-            ),
+            Self::NoFreeMotion => f.write_str(NO_FREE_MOTION),
             Self::Curved {
                 radius,
                 axis,
@@ -76,9 +78,7 @@ impl fmt::Display for Doubt {
                 believed,
                 ..
             } => write_contradiction(f, seen, left, believed),
-            Self::UnprovenCamera => f.write_str(
-                "the observation shows no dirt, and no earlier one shows that the camera detects any: it does not decide what touch cannot",
-            ),
+            Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
                 of,
