@@ -181,9 +181,12 @@ mod tests {
         assert!(find_frozen(&rests).is_empty(), "a dead band around zero");
     }
 
+    /// Poses and forces with their times.
+    type Tracks = (Vec<(i64, Pose)>, Vec<(i64, Vector3)>);
+
     /// Twenty seconds at 100 Hz, with noise of the force: the pose moves at 0.1 m/s but for 4 to 14 s, and goes on with a jump
     /// of this length; the tool presses with these forces in the seconds of its rest.
-    fn rest(jump: f64, press: [f64; 2]) -> (Vec<(i64, Pose)>, Vec<(i64, Vector3)>) {
+    fn rest(jump: f64, press: [f64; 2]) -> Tracks {
         let poses = (0..2000_i64).map(|k| {
             let moved = k.min(400) + (k - 1400).max(0);
             let place = moved as f64 * 1e-3 + if k > 1400 { jump } else { 0.0 };
@@ -203,9 +206,7 @@ mod tests {
 
     #[test]
     fn a_pose_that_repeats_while_the_force_changes_is_frozen() {
-        let frozen = |(poses, forces): (Vec<(i64, Pose)>, Vec<(i64, Vector3)>)| {
-            find_frozen_poses(&poses, &forces)
-        };
+        let frozen = |(poses, forces): Tracks| find_frozen_poses(&poses, &forces);
         assert_eq!(
             frozen(rest(0.1, [0.0, 10.0])),
             [[4_010_000_000, 14_000_000_000]]
