@@ -90,8 +90,8 @@ pub struct PyTelemetry {
     efforts: Py<PyArray2<f64>>,
     /// How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each.
     remarks: Vec<String>,
-    /// Samples of a log that were left out because their wrench is not usable: stale, saturated, untared.
-    left_out: [usize; 3],
+    /// Samples of a log that were left out because their wrench is stale, saturated or untared, or their pose frozen.
+    left_out: [usize; 4],
 }
 
 impl PyTelemetry {
@@ -104,11 +104,12 @@ impl PyTelemetry {
     pub fn touches(&self, py: Python<'_>) -> PyResult<(Vec<TouchSample>, UnusableWrenches)> {
         let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
         let samples = touches(times.bind(py), poses.bind(py), forces.bind(py))?;
-        let [stale, saturated, untared] = self.left_out;
+        let [stale, saturated, untared, frozen_pose] = self.left_out;
         let mut unusable = UnusableWrenches {
             stale,
             saturated,
             untared,
+            frozen_pose,
         };
         let qualities = self.qualities(py)?;
         let usable = samples.into_iter().zip(qualities).filter(|(_, quality)| {
@@ -209,10 +210,11 @@ impl PyTelemetry {
             stale,
             saturated,
             untared,
+            frozen_pose,
         } = log.unusable;
         let telemetry = Self {
             remarks,
-            left_out: [stale, saturated, untared],
+            left_out: [stale, saturated, untared, frozen_pose],
             ..Self::new(py, log.round.unwrap_or_default(), columns)
         };
         Py::new(py, telemetry)
@@ -243,7 +245,7 @@ impl PyTelemetry {
             velocities: rows(velocities, counts[1]),
             efforts: rows(efforts, counts[2]),
             remarks: Vec::new(),
-            left_out: [0; 3],
+            left_out: [0; 4],
         }
     }
 }

@@ -146,7 +146,7 @@ def test_a_table_is_read_as_a_log(task, robot, exact, tmp_path):
     np.testing.assert_allclose(read.force_n, log.force_n, atol=1e-12)
     assert task.interpret(read).performance == pytest.approx(first.performance, abs=0.02)
     assert all("no unit" in remark or "no frame" in remark for remark in read.remarks)
-    assert len(read.remarks) == 2 and read.left_out == [0, 0, 0]
+    assert len(read.remarks) == 2 and read.left_out == [0, 0, 0, 0]
     is_kept = (log.time_s < 3.0) | (log.time_s > 3.5)
     np.savetxt(file, table[is_kept], delimiter=",", header="t,x,y,z,qx,qy,qz,qw,fx,fy,fz", comments="", fmt="%.17g")
     remarks = "; ".join(wisch.read_log(file).remarks)

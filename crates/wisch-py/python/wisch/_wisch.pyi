@@ -546,7 +546,7 @@ class Telemetry:
         """How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each."""
     @property
     def left_out(self) -> list[int]:
-        """Samples of a log that were left out because their wrench is not usable: stale, saturated, untared."""
+        """Samples of a log that were left out because their wrench is stale, saturated or untared, or their pose frozen."""
     def __len__(self) -> int: ...
 
 class Interpretation:
