@@ -184,8 +184,8 @@ mod tests {
     /// Poses and forces with their times.
     type Tracks = (Vec<(i64, Pose)>, Vec<(i64, Vector3)>);
 
-    /// Twenty seconds at 100 Hz, with noise of the force: the pose moves at 0.1 m/s but for 4 to 14 s, and goes on with a jump
-    /// of this length; the tool presses with these forces in the seconds of its rest.
+    /// Returns 20 s of poses and forces at 100 Hz, with noise of the force. The pose moves at 0.1 m/s, rests from 4 to 14 s, and
+    /// jumps by `jump` afterwards. In the seconds of its rest, the tool presses with the forces `press` in turn.
     fn rest(jump: f64, press: [f64; 2]) -> Tracks {
         let poses = (0..2000_i64).map(|k| {
             let moved = k.min(400) + (k - 1400).max(0);

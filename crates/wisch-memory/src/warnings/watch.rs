@@ -76,7 +76,10 @@ impl MemoryWatch {
             commanded: sample.world_from_commanded.translation.vector.into(),
             force: sample.external.force,
         });
-        let duration = self.durations.get(&stroke).copied().unwrap_or(0.0);
+        // Without a planned duration, the phase of the stroke is unknown.
+        let Some(&duration) = self.durations.get(&stroke) else {
+            return Vec::new();
+        };
         let window = (self.builder).push((stroke, duration), sample.time, &measured);
         window.map_or_else(Vec::new, |window| self.warn(&window, stroke, sample.time))
     }
