@@ -2,6 +2,7 @@
 
 #[path = "follow/audit.rs"]
 mod audit_of_motions;
+mod branches;
 mod broom;
 mod floor;
 mod humanoid;

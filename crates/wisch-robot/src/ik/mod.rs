@@ -332,6 +332,17 @@ impl IkSolver {
         Ok(best.outcome(config))
     }
 
+    /// Draws the chain's n positions [rad or m] within the limits, as the random starts of [`solve`](Self::solve):
+    /// sliding joints within 1 m of `near`. The result depends on the arguments only.
+    ///
+    /// # Errors
+    /// If `near` does not have n finite values.
+    pub fn random_start(&self, near: &[f64], seed: u64) -> Result<JointPositions, RobotError> {
+        let near = self.inside(near)?;
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        Ok(self.limits.random(&near, &mut random))
+    }
+
     /// Projects positions into the limits.
     fn inside(&self, q: &[f64]) -> Result<JointPositions, RobotError> {
         self.chain.check_positions(q)?;

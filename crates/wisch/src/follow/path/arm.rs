@@ -360,7 +360,8 @@ impl<'a> Arm<'a> {
         libm::atan2(x.y, x.x)
     }
 
-    /// Finds a configuration with the tool at a pose, from `starts` and from random ones.
+    /// Finds a configuration with the tool at a pose, from `starts`, or from the ready posture if there are none, then
+    /// from random ones.
     pub fn reach_anyhow(
         &self,
         pose: &ToolPose,
@@ -389,6 +390,17 @@ impl<'a> Arm<'a> {
             &found,
             &second.hold_from_any_start(&found, &seconds, seed, &config)?,
         ))
+    }
+
+    /// Draws a configuration from the ranges of the leading arm's joints, from which a search may end in another
+    /// branch of the inverse kinematics. A second arm stays at its ready posture.
+    pub fn random_start(&self, seed: u64) -> JointPositions {
+        let ready = self.ready_posture();
+        let (leading, second) = ready.split_at(self.leading());
+        match self.cell.ik().random_start(leading, seed) {
+            Ok(drawn) => join_arms(&drawn, second),
+            Err(_) => ready,
+        }
     }
 
     /// Number of a configuration's values that belong to the leading arm.

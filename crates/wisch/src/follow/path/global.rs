@@ -108,10 +108,11 @@ fn states(
             ..end
         };
         for k in 0..STARTS {
-            let found = if k == 0 {
-                arm.reach(&pose, start)
-            } else {
-                arm.reach_anyhow(&pose, &[], arm.config.seed ^ (i as u64 * STARTS + k), 1)
+            let seed = arm.config.seed ^ (i as u64 * STARTS + k);
+            let found = match k {
+                0 => arm.reach(&pose, start),
+                1 => arm.reach_anyhow(&pose, &[], seed, 1),
+                _ => arm.reach_anyhow(&pose, &[&arm.random_start(seed)], seed, 1),
             };
             let Ok(q) = found else { continue };
             let is_new = |state: &State| state.pose != pose || widest_step(&state.q, &q) > SAME;

@@ -229,9 +229,13 @@ impl Search<'_> {
                 let near: Vec<&[f64]> = (known.into_iter().chain([&now.q, &ready]))
                     .map(|q| &q[..])
                     .collect();
-                // The first start searches near the current configuration, the others anywhere.
-                let mut found =
-                    arm.reach_free(&lifted, if start == 1 { &near } else { &[] }, seed ^ start);
+                // The first start searches near the current configuration, the second near the ready posture, the
+                // others anywhere: from one posture, a search always ends in the same branch.
+                let mut found = match start {
+                    1 => arm.reach_free(&lifted, &near, seed ^ start),
+                    2 => arm.reach_free(&lifted, &[], seed ^ start),
+                    _ => reach_from_random(arm, &lifted, seed ^ start),
+                };
                 for i in 1..FREE_TRIES {
                     if !matches!(
                         found,
@@ -241,7 +245,7 @@ impl Search<'_> {
                     ) {
                         break;
                     }
-                    found = arm.reach_free(&lifted, &[], seed ^ start ^ (i << 16));
+                    found = reach_from_random(arm, &lifted, seed ^ start ^ (i << 16));
                 }
                 (None, found.map_err(|obstruction| failed(0.0, obstruction))?)
             }
@@ -302,6 +306,12 @@ impl Search<'_> {
             }
         }
     }
+}
+
+/// Finds a configuration without collision from random ones.
+fn reach_from_random(arm: &Arm, pose: &ToolPose, seed: u64) -> Result<JointPositions, Obstruction> {
+    let start = arm.random_start(seed);
+    arm.reach_free(pose, &[&start], seed)
 }
 
 /// The tool put down at the start of a stroke.
