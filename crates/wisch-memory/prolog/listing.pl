@@ -1,11 +1,11 @@
 % Predicates that a query may call, with their meaning. The program's list, completion and manual are generated from it.
 predicate(instance_of, 2, 'instance_of(I, Class): I is an instance of Class or of a subclass').
-predicate(has_type, 2, 'has_type(I, Class): the same').
-predicate(owl_individual_of, 2, 'owl_individual_of(I, Class): the same').
-predicate(rdfs_individual_of, 2, 'rdfs_individual_of(I, Class): the same').
+predicate(has_type, 2, 'has_type(I, Class): the same as instance_of/2').
+predicate(owl_individual_of, 2, 'owl_individual_of(I, Class): the same as instance_of/2').
+predicate(rdfs_individual_of, 2, 'rdfs_individual_of(I, Class): the same as instance_of/2').
 predicate(subclass_of, 2, 'subclass_of(Class, Super): Class is Super or a subclass of it').
-predicate(rdfs_subclass_of, 2, 'rdfs_subclass_of(Class, Super): the same').
-predicate(owl_subclass_of, 2, 'owl_subclass_of(Class, Super): the same').
+predicate(rdfs_subclass_of, 2, 'rdfs_subclass_of(Class, Super): the same as subclass_of/2').
+predicate(owl_subclass_of, 2, 'owl_subclass_of(Class, Super): the same as subclass_of/2').
 predicate(is_episode, 1, 'is_episode(I): I is an episode').
 predicate(is_action, 1, 'is_action(I): I is an action').
 predicate(is_process, 1, 'is_process(I): I is a process').
@@ -13,13 +13,13 @@ predicate(is_event, 1, 'is_event(I): I is an event').
 predicate(is_state, 1, 'is_state(I): I is a state').
 predicate(is_task, 1, 'is_task(I): I is a task').
 predicate(triple, 3, 'triple(S, P, O): S has the relation or value P with O; P may be transitive(P) or reflexive(P)').
-predicate(holds, 3, 'holds(S, P, O): the same').
-predicate(holds, 1, 'holds(P(S, O)): the same').
-predicate(owl_has, 3, 'owl_has(S, P, O): the same').
-predicate(rdf_has, 3, 'rdf_has(S, P, O): the same').
+predicate(holds, 3, 'holds(S, P, O): the same as triple/3').
+predicate(holds, 1, 'holds(P(S, O)): the same as triple/3').
+predicate(owl_has, 3, 'owl_has(S, P, O): the same as triple/3').
+predicate(rdf_has, 3, 'rdf_has(S, P, O): the same as triple/3').
 predicate(has_data_value, 2, 'has_data_value(I, performance =< 0.8): a value of I meets a condition').
 predicate(has_subevent, 2, 'has_subevent(Event, Part): Part is a part of Event').
-predicate(subAction, 2, 'subAction(Event, Part): the same').
+predicate(subAction, 2, 'subAction(Event, Part): the same as has_subevent/2').
 predicate(has_participant, 2, 'has_participant(Event, Thing): Thing takes part in Event').
 predicate(is_performed_by, 2, 'is_performed_by(Action, Agent): Agent performs Action').
 predicate(executes_task, 2, 'executes_task(Action, Task): Action executes Task').
@@ -30,8 +30,8 @@ predicate(action_failed, 1, 'action_failed(Action): Action did not meet its goal
 predicate(tell, 1, 'tell(holds(S, P, O)): stores a statement in this memory, if the whole query succeeds').
 predicate(occurs, 1, 'occurs(Event): Event has a time').
 predicate(occurs, 2, 'occurs(Event, [S, E]): Event lasts from S to E [s since 1970]').
-predicate(event_interval, 3, 'event_interval(Event, S, E): the same').
-predicate(has_time_interval, 2, 'has_time_interval(Event, [S, E]): the same').
+predicate(event_interval, 3, 'event_interval(Event, S, E): the same as occurs/2').
+predicate(has_time_interval, 2, 'has_time_interval(Event, [S, E]): the same as occurs/2').
 predicate(interval_before, 2, 'interval_before(A, B): Allen\'s relation; A and B are events or [S, E]').
 predicate(interval_after, 2, 'interval_after(A, B): Allen\'s relation; A and B are events or [S, E]').
 predicate(interval_meets, 2, 'interval_meets(A, B): Allen\'s relation; A and B are events or [S, E]').
@@ -51,10 +51,10 @@ predicate(mng_lookup_position, 4, 'mng_lookup_position(O, Frame, Time, [P, Q]): 
 predicate(tf, 2, 'tf(O, Pose): last known pose of O').
 predicate(tf, 4, 'tf(O, Time, P, Q): pose of O at Time').
 predicate(object_trajectory, 4, 'object_trajectory(O, When, dt(D), T): poses of O as Time-Pose over [S, E] or an event; or num_samples(N)').
-predicate(object_trajectory_in, 5, 'object_trajectory_in(Episode, O, When, dt(D), T): the same, in one episode').
-predicate(tf_mng_trajectory, 4, 'tf_mng_trajectory(O, S, E, T): the same every 0.1 s').
+predicate(object_trajectory_in, 5, 'object_trajectory_in(Episode, O, When, dt(D), T): the same as object_trajectory/4, in one episode').
+predicate(tf_mng_trajectory, 4, 'tf_mng_trajectory(O, S, E, T): the same as object_trajectory/4, every 0.1 s').
 predicate(telemetry, 4, 'telemetry(Channel, When, Statistic, V): max, min, mean or rms of force, vertical_force, speed, a joint or a column of the telemetry over [S, E] or an event; one answer per episode').
-predicate(telemetry_in, 5, 'telemetry_in(Episode, Channel, When, Statistic, V): the same, in one episode').
+predicate(telemetry_in, 5, 'telemetry_in(Episode, Channel, When, Statistic, V): the same as telemetry/4, in one episode').
 predicate(show, 0, 'show: shows the scene').
 predicate(show, 1, 'show(What): shows a thing, trajectory(O), particles(O), or a list of these').
 predicate(show, 2, 'show(What, When): shows What at a time, over interval(S, E) or over interval(S, E, dt(D))').
@@ -79,7 +79,7 @@ predicate(overconfident_prediction, 2, 'overconfident_prediction(Round, E): pred
 predicate(uncertain_estimate, 2, 'uncertain_estimate(Round, W): 90 % intervals wider than 20 points').
 predicate(estimate_missed_truth, 3, 'estimate_missed_truth(Round, E, T): the ground truth of the simulation lies outside the interval').
 predicate(human_collision, 3, 'human_collision(Motion, C, [S, E]): motions during which a human pushed the robot').
-predicate(human_collision_in, 4, 'human_collision_in(Episode, Motion, C, [S, E]): the same, in one episode').
+predicate(human_collision_in, 4, 'human_collision_in(Episode, Motion, C, [S, E]): the same as human_collision/3, in one episode').
 predicate(collisions_of, 2, 'collisions_of(Episode, N): number of detected collisions').
 predicate(peak_force_per_collision, 2, 'peak_force_per_collision(C, F): the largest force [N] of each collision').
 predicate(hardest_collision, 2, 'hardest_collision(C, F): the collision with the largest force [N]').

@@ -119,7 +119,7 @@ impl fmt::Display for HeldTool {
         match self.mount {
             None => write!(
                 f,
-                "at a given pose on link {link:?}; collisions of what is between them are not checked"
+                "at a given pose on link {link:?}; collisions of the part between link and tool are not checked"
             )?,
             Some(Mount::Flange { .. }) => {
                 let out = self.axis.frame().inverse() * self.tip_from_tool.translation.vector;
@@ -143,7 +143,7 @@ impl fmt::Display for HeldTool {
         if let Some(gap) = self.unchecked_gap {
             write!(
                 f,
-                "; what joins hand and tool, {gap:.3} m apart, is not checked for collisions"
+                "; the part between hand and tool, {gap:.3} m long, is not checked for collisions"
             )?;
         }
         (self.holder.iter()).try_for_each(|holder| write!(f, "; {holder}, checked for collisions"))
