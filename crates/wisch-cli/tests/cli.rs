@@ -447,7 +447,7 @@ fn check_explains_the_task() {
         "obstacles",
         "free",
         "nodes",
-        "done when  all particles lie within",
+        "goal       all particles lie within",
         "% of the particles reach the goal",
         "target",
     ] {

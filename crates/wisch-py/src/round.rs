@@ -52,7 +52,7 @@ impl PyAudit {
 
     fn __repr__(&self) -> String {
         format!(
-            "<wisch.Audit: {} faults, {:.0} mm clear>",
+            "<wisch.Audit: {} faults, clearance {:.0} mm>",
             self.0.faults.len(),
             1e3 * self.0.min_clearance
         )

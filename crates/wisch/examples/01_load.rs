@@ -22,6 +22,6 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     );
     println!("{} particles are on it", task.particles.len());
     println!("press with {} N", task.interaction.press_force_n);
-    println!("until {:.0} %", 100.0 * loaded.run.target);
+    println!("target {:.0} %", 100.0 * loaded.run.target);
     Ok(())
 }

@@ -30,7 +30,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         followed.contact_time()
     );
     println!("{} nodes abandoned", followed.abandoned.len());
-    println!("it keeps {:.0} mm clear", 1e3 * audit.min_clearance);
+    println!("clearance {:.0} mm", 1e3 * audit.min_clearance);
     println!("the check finds {} faults", audit.faults.len());
     Ok(())
 }

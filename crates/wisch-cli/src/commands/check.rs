@@ -318,7 +318,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
             100.0 * free_area.free_share
         ),
     ));
-    lines.push(("done when", destination(plan)));
+    lines.push(("goal", destination(plan)));
     let dirt = if task.action.treats() {
         "points"
     } else {

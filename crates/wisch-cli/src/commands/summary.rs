@@ -423,8 +423,9 @@ fn motion_in_words(following: &FollowingSummary, in_rounds: &str) -> [(&'static 
             "motion",
             format!(
                 "path error at most {:.2} mm, clearance at least {:.1} mm",
-                1e3 * following.max_path_deviation_m,
-                1e3 * following.min_clearance_m
+                // Bounds are rounded to the safe side.
+                (1e5 * following.max_path_deviation_m).ceil() / 100.0,
+                (1e4 * following.min_clearance_m).floor() / 10.0
             ),
         ),
     ]

@@ -126,7 +126,8 @@ pub(super) fn describe_audit(audit: &Audit) -> String {
     match audit.faults.as_slice() {
         [] => format!(
             "The motion passes all checks; its clearance is at least {} mm.",
-            metres(1e3 * audit.min_clearance, 0)
+            // A lower bound is rounded down.
+            metres((1e4 * audit.min_clearance).floor() / 10.0, 1)
         ),
         faults => {
             let words: Vec<String> = faults.iter().map(ToString::to_string).collect();

@@ -435,7 +435,7 @@ impl<'a> Reader<'a> {
                     let w = words(
                         problem,
                         "<geometry> with a box, cylinder, capsule, sphere or mesh",
-                        "the element is ignored: what it stands for is not checked for collisions",
+                        "the element is ignored, so collisions of this part of the link are not checked",
                     );
                     let kind = DiagnosticKind::CollisionMissing;
                     self.warn_of(kind, collision, Subject::Link(link.name.clone()), w);
