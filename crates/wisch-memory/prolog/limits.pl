@@ -246,6 +246,7 @@ has_time(relocalized(Round, _, _), event(Round)).
 has_time(tilted_surface(Round, _), event(Round)).
 has_time(episode_with_tool(Episode, _), event(Episode)).
 has_time(episode_on_surface(Episode, _), event(Episode)).
+has_time(warning(_, _, T, _), at(T)).
 has_time(localization_change(_, T, _, _), at(T)).
 has_time(episode_of(Thing, _), event(Thing)).
 has_time(sure_failure(Action, _), event(Action)).

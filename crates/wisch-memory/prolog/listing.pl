@@ -104,6 +104,8 @@ predicate(recovery_gain, 2, 'recovery_gain(Round, Gain): performance gained by a
 predicate(round_without_progress, 1, 'round_without_progress(Round): further rounds without a gain').
 predicate(relocalized, 3, 'relocalized(Round, Tilt, Offset): localisation error of the surface [rad, m]').
 predicate(tilted_surface, 2, 'tilted_surface(Round, Tilt): surfaces estimated with a tilt of more than 1 degree [rad]').
+predicate(warning, 4, 'warning(Episode, Channel, T, P): at T [s since 1970] the memory warned that force, height, contact_share or tracking_error differ from comparable episodes, with p-value P').
+predicate(drift, 5, 'drift(runs(Robot, Tool, Surface), Channel, PerRun, P, Runs): drift that wisch memory health reports: change per run since the last sudden change, probability P of chance, and number of runs until a limit, or none').
 predicate(contact_force_drift, 4, 'contact_force_drift(Surface, Slope, First, Last): contact force [N] that decreases slowly over episodes').
 predicate(localization_drift, 4, 'localization_drift(Surface, Slope, First, Last): localisation error [m] that grows slowly over episodes, since its last sudden change').
 predicate(localization_change, 4, 'localization_change(Surface, T, Before, After): sudden change of the localisation error [m]').

@@ -190,7 +190,24 @@ tilted_surface(Round, Tilt) :-
     value_of(Round, 'semco:planeTilt', Tilt),
     Tilt > 0.0174.
 
+% warning(-Episode, -Channel, -Time, -P): warnings of the memory during an episode.
+warning(Episode, Channel, Time, P) :-
+    of_class(Warning, 'semco:MemoryWarning'),
+    timed(Warning, T, _),
+    same_time(Time, T),
+    value(Warning, 'semco:warningChannel', Channel),
+    value_of(Warning, 'semco:pValue', P),
+    episode_of(Warning, Episode).
+
 % Over many episodes ---------------------------------------------------------------------------------------
+
+% drift(-Runs, -Channel, -PerRun, -P, -Left): drifts of the health report, in all episodes.
+drift(Runs, Channel, PerRun, P, Left) :-
+    need(health_drifts, Found),
+    member(d(Runs, Channel, Slope, Chance, Remaining), Found),
+    same_time(PerRun, Slope),
+    same_time(P, Chance),
+    ( Remaining == none -> Left = none ; same_time(Left, Remaining) ).
 
 % contact_force_drift(-Surface, -Slope, -First, -Last): decrease of the mean contact force per episode on this surface
 % [N], fitted over at least five episodes since its last sudden change; only significant decreases.

@@ -21,6 +21,7 @@ mod session;
 mod task;
 mod task_text;
 mod telemetry;
+mod warnings;
 mod watchdog;
 
 use pyo3::prelude::*;

@@ -12,10 +12,12 @@ use crate::pictures;
 use crate::plan::PyPlan;
 use crate::round::{PyAudit, PyRound};
 use crate::telemetry::{Columns, PyTelemetry};
+use crate::warnings::watch_memory;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError, PyRuntimeWarning};
 use pyo3::prelude::*;
 use self_cell::self_cell;
 use std::ops::ControlFlow;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
@@ -69,7 +71,9 @@ pub struct PySession {
     record: Arc<Mutex<Option<RunRecord>>>,
     kept: Mutex<Option<StoredResults>>,
     /// Class of the last executor.
-    executor: Mutex<Option<String>>,
+    executor: Arc<Mutex<Option<String>>>,
+    /// Notes of the watch that compares the run with its memory.
+    notes: Arc<Mutex<Vec<String>>>,
     /// The executor that is prepared for motions.
     prepared: PreparedExecutor,
     /// When the session began.
@@ -90,7 +94,8 @@ fn keep(record: &Mutex<Option<RunRecord>>, event: &RunEvent<'_>) -> ControlFlow<
     flow.unwrap_or(ControlFlow::Continue(()))
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+/// Locks a mutex, also after a panic of another thread.
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -188,14 +193,23 @@ impl PySession {
         config: RunConfig,
         given: Given,
         record: Option<RunRecord>,
+        memory: Option<PathBuf>,
     ) -> Self {
         let belief = loaded.belief();
+        let (executor, notes) = (Arc::default(), Arc::default());
+        let warnings = memory.and_then(|memory| {
+            watch_memory(&loaded.task, robot.as_deref()?, &config, memory, &executor, &notes)
+        });
         let wiping = Wiping::new(robot.clone(), |robot| {
             let session = Session::new(&loaded.task, config).with_belief(belief);
             let session = match given {
                 Given::Nothing => session,
                 Given::Plan(plan) => session.with_plan(Some(plan)),
                 Given::Strategy(own) => session.with_strategy(own),
+            };
+            let session = match warnings {
+                Some(watch) => session.with_warnings(watch),
+                None => session,
             };
             match robot {
                 Some(robot) => session.with_robot(robot.robot_setup()),
@@ -213,7 +227,8 @@ impl PySession {
             rounds: Mutex::default(),
             record: Arc::new(Mutex::new(record)),
             kept: Mutex::default(),
-            executor: Mutex::default(),
+            executor,
+            notes,
             prepared: Arc::default(),
             clock: RunClock::start(),
         }
@@ -359,6 +374,7 @@ impl PySession {
                     .iter()
                     .map(|what| format!("the episode was stored without {what}"));
                 kept.remarks.extend(without);
+                kept.remarks.append(&mut lock(&self.notes));
                 kept.remarks
             }),
         });

@@ -402,6 +402,7 @@ impl PyTask {
             Some("greedy") => config.pace = wisch::run::Pace::Greedy,
             Some(other) => return Err(refused("pace", other, "\"whole\" or \"greedy\"")),
         }
+        let watched = memory.clone();
         let record = (out.is_some() || memory.is_some()).then(|| RecordOptions {
             program: PROGRAM.to_owned(),
             out,
@@ -422,6 +423,7 @@ impl PyTask {
             config,
             given,
             record,
+            watched,
         ))
     }
 

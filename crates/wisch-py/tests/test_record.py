@@ -41,6 +41,15 @@ def test_a_session_writes_a_report_bags_and_an_episode(task, robot, exact, tmp_p
     np.testing.assert_allclose(columns["external/fz"], rounds[0].telemetry.force_n[:, 2], atol=1e-12)
 
 
+def test_a_session_compares_its_motion_with_its_memory(task, robot, exact, tmp_path):
+    memory = tmp_path / "episodes"
+    for comparable in range(2):
+        session = task.session(robot, rounds=1, memory=memory)
+        session.run(exact)
+        note = "no warnings while wiping: 1 comparable episode, 49 are needed"
+        assert session.remarks.count(note) == comparable
+
+
 def test_a_session_that_fails_keeps_its_finished_rounds(task, robot, exact, tmp_path):
     out = tmp_path / "out"
     session = task.session(robot, rounds=3, target=1.0, out=out, memory=tmp_path / "episodes")

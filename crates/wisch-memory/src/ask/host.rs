@@ -12,7 +12,7 @@ use super::rows::name_of;
 use super::streams::Knowledge;
 use super::telemetry_predicates::TelemetryPredicates;
 use super::term::Term;
-use super::trends::{causes, changes, channel_of, drifts, series};
+use super::trends::{causes, changes, channel_of, drifts, health_drifts, series};
 use crate::catalogue::{Catalogue, IndividualId};
 use crate::id::{is_date, local_date_and_time};
 use crate::ontology::Ontology;
@@ -286,6 +286,7 @@ impl Host {
             ("causes", [from, to]) => {
                 causes(&known.catalogue, times(from, to).ok_or_else(malformed)?)
             }
+            ("health_drifts", []) => health_drifts(&known.catalogue),
             ("series", [Term::Atom(drift), Term::Atom(thing)]) => {
                 let channel = channel_of(drift).ok_or_else(malformed)?;
                 series(&known.catalogue, channel, thing)

@@ -4,7 +4,9 @@
 use super::rows::node_name;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
-use crate::health::{HealthChannel, RobustLine, find_cause, find_changes};
+use crate::health::{
+    ChannelState, HealthChannel, RobustLine, assess_groups, find_cause, find_changes, gather_groups,
+};
 use std::collections::{BTreeMap, HashMap};
 
 /// Least number of episodes for a line.
@@ -106,6 +108,37 @@ pub fn drifts(catalogue: &Catalogue, channel: HealthChannel, within: [f64; 2]) -
         })
     });
     lines.collect()
+}
+
+/// Returns `d(runs(Robot, Tool, Surface), Channel, PerRun, P, Runs)` for each drift of the health report: change per run
+/// in the channel's unit, adjusted probability that chance explains it, and runs until a limit, or `none`.
+pub fn health_drifts(catalogue: &Catalogue) -> Vec<Term> {
+    let none = || Term::atom("none");
+    let thing = |name: &Option<String>| match name {
+        Some(name) => Term::Atom(format!("semco:{name}")),
+        None => none(),
+    };
+    let mut found = Vec::new();
+    for group in assess_groups(&gather_groups(catalogue)).groups {
+        let runs = [&group.robot, &group.tool, &group.surface].map(thing);
+        for health in &group.channels {
+            let ChannelState::Assessed(assessed) = &health.state else {
+                continue;
+            };
+            if let Some(trend) = assessed.trend.as_ref().filter(|trend| trend.is_drift) {
+                let left = trend.runs_to_limit.as_ref();
+                let parts = vec![
+                    Term::compound("runs", runs.to_vec()),
+                    Term::Atom(health.channel.as_str().replace(' ', "_")),
+                    Term::Float(trend.per_run),
+                    Term::Float(trend.p_adjusted),
+                    left.map_or_else(none, |left| Term::Float(left.estimate)),
+                ];
+                found.push(Term::compound("d", parts));
+            }
+        }
+    }
+    found
 }
 
 /// Returns `c(Thing, Time, Before, After)` for each sudden change: begin of the first episode after it [s since 1970],

@@ -18,9 +18,11 @@ mod bands;
 mod basis;
 mod gauge;
 mod profile;
+mod run_watch;
 mod watch;
 
 pub use bands::{BandDeviation, BandError, ConformalBands, RunScore};
 pub use basis::{ComparableRun, WarningBasis, find_basis};
 pub use profile::{EpisodeProfile, PhaseWindow, ProfileBuilder, StrokeSample};
+pub use run_watch::watch_run;
 pub use watch::MemoryWatch;

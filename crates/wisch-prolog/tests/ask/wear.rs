@@ -7,13 +7,24 @@ use wisch_memory::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin,
 /// Newtons with which every episode presses.
 const FORCE: f64 = 10.0;
 
+/// Begin of the first episode [s since 1970].
+const BEGIN: f64 = 1.0e6;
+
 /// An episode a day, with the offset of the plane [m] and the stiffness of the tool [N/m] if it is known.
 fn episodes(values: impl IntoIterator<Item = (f64, Option<f64>)>) -> Catalogue {
+    Catalogue::from_records(&records_from(BEGIN, values))
+}
+
+/// The records of such episodes, the first of which begins at a time [s since 1970].
+fn records_from(
+    first: f64,
+    values: impl IntoIterator<Item = (f64, Option<f64>)>,
+) -> Vec<EpisodeRecord> {
     let records = values
         .into_iter()
         .enumerate()
         .map(|(day, (offset, stiffness))| {
-            let begin = 1.0e6 + 86_400.0 * day as f64;
+            let begin = first + 86_400.0 * day as f64;
             let interval = [begin, begin + 30.0];
             let individual = |class: &str, parent| Individual {
                 class: format!("semco:{class}"),
@@ -60,8 +71,7 @@ fn episodes(values: impl IntoIterator<Item = (f64, Option<f64>)>) -> Catalogue {
                 ],
             }
         });
-    let records: Vec<EpisodeRecord> = records.collect();
-    Catalogue::from_records(&records)
+    records.collect()
 }
 
 fn check(catalogue: &Catalogue, queries: &[(&str, &[&str])]) {
@@ -166,4 +176,48 @@ fn times_are_shown_in_local_time() {
         let text = answers.rows[0][0].as_atom().unwrap_or_default();
         assert_eq!(text, "12.3 s from the start of the log, undated");
     }
+}
+
+#[test]
+fn drifts_of_the_health_report_are_asked_for_with_their_forecast() {
+    // 0.5 mm a day, without scatter; the report has no clock before 1990.
+    let values = |day: i32| (-5e-4 * f64::from(day), Some(2000.0));
+    let rounded = "_R = runs(_, T, S), A is round(10_000 * _D), B is sign(_P), _P < 0.01";
+    let query = format!("drift(_R, C, _D, _P, _), {rounded}");
+    check(
+        &Catalogue::from_records(&records_from(1.7e9, (0..16).map(values))),
+        &[(&query, &["surface_offset semco:sponge semco:table -5 1.0"])],
+    );
+    let resting = records_from(1.7e9, (0..16).map(|_| (0.0, Some(2000.0))));
+    check(
+        &Catalogue::from_records(&resting),
+        &[("drift(_, C, _, _, _)", &[])],
+    );
+}
+
+#[test]
+fn warnings_of_the_memory_are_asked_for_with_channel_time_and_p_value() {
+    let mut records = records_from(1.7e9, (0..2).map(|_| (0.0, None)));
+    let values = [
+        ("semco:warningChannel", Value::Text("height".to_owned())),
+        ("semco:pValue", Value::Number(0.01)),
+    ];
+    let at = 1.7e9 + 86_410.0;
+    records[1].individuals.push(Individual {
+        class: "semco:MemoryWarning".to_owned(),
+        interval: Some([at, at]),
+        parent: Some(2),
+        relations: BTreeMap::new(),
+        values: values.map(|(name, value)| (name.to_owned(), value)).into(),
+    });
+    check(
+        &Catalogue::from_records(&records),
+        &[
+            (
+                "warning(E, C, T, P)",
+                &["semco:'WipingEpisode_day01-0' height 1700086410.0 0.01"],
+            ),
+            ("warning(E, _, _, _) until 1700080000", &[]),
+        ],
+    );
 }
