@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::task_file::RobotDescription;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
-use wisch::follow::StartAssumption;
+use wisch::follow::{PlanningGroup, StartAssumption};
 use wisch::robot::{
     ASSUMED_BASE_LIMITS, ASSUMED_DENSITY, ASSUMED_SLIDE_RATES, ASSUMED_TURN_RATES, Appearance,
     CapabilityMap, Diagnostic, DiagnosticKind, Joint, JointKind, LinkId, MapError, RobotHash,
@@ -177,6 +177,20 @@ impl Robot {
                 "robot {:?}: its SRDF says that springs or weights carry {}: efforts of these joints are not checked",
                 model.name(),
                 counterbalanced.join(", ")
+            ));
+        }
+        let groups = self.srdf.as_ref().map(|srdf| srdf.groups.len());
+        if groups.is_none_or(|count| count == 0)
+            && let Ok(group) = PlanningGroup::choose(model, self.srdf.as_ref(), None)
+        {
+            let lacks = match groups {
+                None => "it has no SRDF, and so no group",
+                Some(_) => "its SRDF has no group that is a chain",
+            };
+            let [base, tip] = [group.base, group.tip].map(|link| &model.links()[link.index()].name);
+            remarks.push(format!(
+                "robot {:?}: {lacks}: it wipes with the chain from {base:?} to {tip:?}",
+                model.name()
             ));
         }
         if let Some(StartAssumption { lacks, begins }) =

@@ -244,8 +244,11 @@ fn joints_one_behind_the_other_are_a_chain() {
     let chain = robot.chain(listed.base, listed.tip).unwrap();
     assert_eq!(chain.variables().len(), 7);
     assert_eq!(robot.links()[listed.tip.index()].name, "link_7");
-    // With a gap, in another order, or a single joint, such as that of a gripper.
-    for joints in [&[1, 2, 4, 5][..], &[2, 1, 3], &[7]] {
+    // The order in which they are listed has no meaning.
+    let shuffled = parse(&[7, 2, 3, 6, 5, 4, 1]);
+    assert_eq!(shuffled.group("listed").unwrap(), listed);
+    // With a gap, or a single joint, such as that of a gripper.
+    for joints in [&[1, 2, 4, 5][..], &[4, 1, 3], &[7]] {
         let srdf = parse(joints);
         assert_eq!(srdf.groups.len(), 1, "{joints:?}");
         assert_eq!(srdf.ignored.len(), 1, "{joints:?}");

@@ -200,6 +200,68 @@ fn a_position_limit_that_is_absent_beside_the_other_is_0() {
 }
 
 #[test]
+fn soft_limits_on_one_side_or_reversed_count_with_a_warning() {
+    let with = |soft: &str| {
+        let limit =
+            "<limit lower=\"-2\" upper=\"2\" velocity=\"1\" effort=\"1\" acceleration=\"1\"/>";
+        let begin = HINGE.split("<limit").next().unwrap();
+        two_links(&format!(
+            "{begin}{limit}<safety_controller {soft}/></joint>"
+        ))
+    };
+    for (soft, expected, told) in [
+        (
+            "soft_upper_limit=\"1\"",
+            [0.0, 1.0],
+            "without it 0 is assumed",
+        ),
+        (
+            "soft_lower_limit=\"-1\"",
+            [-1.0, 0.0],
+            "without it 0 is assumed",
+        ),
+        (
+            "soft_lower_limit=\"1\"",
+            [1.0, 2.0],
+            "the hard limit counts",
+        ),
+        (
+            "soft_upper_limit=\"-1\"",
+            [-2.0, -1.0],
+            "the hard limit counts",
+        ),
+        (
+            "soft_lower_limit=\"1\" soft_upper_limit=\"-1\"",
+            [-1.0, 1.0],
+            "they are exchanged",
+        ),
+        (
+            "soft_lower_limit=\"3\" soft_upper_limit=\"4\"",
+            [-2.0, 2.0],
+            "the soft limits are ignored",
+        ),
+    ] {
+        let text = with(soft);
+        let limits = robot(&text).variable(0).limits.position.unwrap();
+        assert_eq!([limits.lower, limits.upper], expected, "{soft}");
+        let found = found(&text);
+        let warned = (found.iter()).find(|found| found.severity == Severity::Warning);
+        let warned = warned.unwrap_or_else(|| panic!("{soft}: no warning"));
+        assert!(warned.advice.contains(told), "{soft}: {warned}");
+    }
+    // A controller without limits has none.
+    for soft in [
+        "k_velocity=\"10\"",
+        "soft_lower_limit=\"0\" soft_upper_limit=\"0\"",
+    ] {
+        let text = with(soft);
+        let limits = robot(&text).variable(0).limits.position.unwrap();
+        assert_eq!([limits.lower, limits.upper], [-2.0, 2.0], "{soft}");
+        assert_eq!(found(&text), [], "{soft}");
+    }
+}
+
+#[test]
 fn a_source_of_xacro_is_refused_with_the_command_that_expands_it() {
     let expand = "make it with `xacrodoc test.urdf -o robot.urdf` (pip install xacrodoc), or in ROS with `xacro test.urdf > robot.urdf`";
     for (text, place) in [

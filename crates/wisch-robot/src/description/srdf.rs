@@ -523,19 +523,23 @@ pub(super) fn finding(severity: Severity, at: Place, words: Words) -> Diagnostic
     }
 }
 
-/// Returns the ends of a group that lists the joints of a chain, as most SRDFs of arms do; fixed joints may be left
-/// out.
+/// Returns the ends of a group that lists the joints of a chain in any order, as most SRDFs of arms do; fixed joints may
+/// be left out.
 fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
-    let mut line: Option<(LinkId, LinkId)> = None;
-    let mut moving = 0;
+    let mut listed = Vec::new();
     for member in group.children().filter(Node::is_element) {
-        let name = member.attribute("name")?.trim();
-        let id = robot.joint(name).ok()?;
+        let id = robot.joint(member.attribute("name")?.trim()).ok()?;
         if !member.has_tag_name("joint") {
             return None;
         }
         let joint = &robot.joints()[id.index()];
-        moving += usize::from(robot.variables().contains(&id));
+        let is_moving = robot.variables().contains(&id);
+        listed.push((robot.joints_above(joint.child).count(), joint, is_moving));
+    }
+    // From the root outwards.
+    listed.sort_by_key(|(depth, ..)| *depth);
+    let mut line: Option<(LinkId, LinkId)> = None;
+    for (_, joint, _) in &listed {
         let base = match line {
             None => joint.parent,
             Some((base, tip)) => {
@@ -547,6 +551,7 @@ fn joints_in_line(group: Node, robot: &RobotModel) -> Option<(LinkId, LinkId)> {
         };
         line = Some((base, joint.child));
     }
+    let moving = listed.iter().filter(|(.., is_moving)| *is_moving).count();
     line.filter(|_| moving >= 2)
 }
 

@@ -562,7 +562,7 @@ impl<'a> Reader<'a> {
             _ => None,
         };
         let soft_limits = match (&mut limit, element(node, "safety_controller")) {
-            (Some(limit), Some(soft)) if is_limited => self.narrow(limit, soft)?,
+            (Some(limit), Some(soft)) if is_limited => self.narrow(limit, soft, &name)?,
             _ => None,
         };
         let joint = UrdfJoint {
@@ -580,12 +580,15 @@ impl<'a> Reader<'a> {
         Ok((joint, mimic))
     }
 
-    /// Narrows position limits to the soft ones of a safety controller, and returns those if they are narrower. A
-    /// safety controller without a range has none, as absent soft limits are 0 and 0.
-    fn narrow(&self, limit: &mut UrdfLimit, soft: Node) -> Result<Option<[f64; 2]>, RobotError> {
-        let lower = self.limit(soft, "soft_lower_limit")?;
-        let upper = self.limit(soft, "soft_upper_limit")?;
-        let (Some(lower), Some(upper)) = (lower, upper) else {
+    /// Narrows position limits to the soft ones of a safety controller, and returns those if they are narrower. Warns of
+    /// soft limits that are reversed, outside the hard ones, or stated on one side only.
+    fn narrow(
+        &self,
+        limit: &mut UrdfLimit,
+        soft: Node,
+        joint: &str,
+    ) -> Result<Option<[f64; 2]>, RobotError> {
+        let Some([lower, upper]) = self.soft_limits(soft, joint)? else {
             return Ok(None);
         };
         // Reversed hard limits are exchanged later, with a warning; the soft ones count within them.
@@ -600,8 +603,13 @@ impl<'a> Reader<'a> {
             low.map_or(lower, |hard| hard.max(lower)),
             high.map_or(upper, |hard| hard.min(upper)),
         ];
-        let is_narrower = low != Some(narrowed[0]) || high != Some(narrowed[1]);
-        if lower >= upper || narrowed[0] >= narrowed[1] || !is_narrower {
+        if narrowed[0] >= narrowed[1] {
+            let value = format!("soft limits {lower} to {upper} share no range with <limit>");
+            let advice = "the soft limits are ignored: correct them, or remove <safety_controller>";
+            self.warn_of_soft_limits(soft, joint, value, advice);
+            return Ok(None);
+        }
+        if low == Some(narrowed[0]) && high == Some(narrowed[1]) {
             return Ok(None);
         }
         let [least, most] = narrowed.map(Some);
@@ -611,6 +619,47 @@ impl<'a> Reader<'a> {
             (least, most)
         };
         Ok(Some(narrowed))
+    }
+
+    /// Returns the soft limits of a safety controller in their order. A limit that is not stated is 0, the default of URDF,
+    /// or infinite where 0 leaves no range; a controller that states none has none.
+    fn soft_limits(&self, soft: Node, joint: &str) -> Result<Option<[f64; 2]>, RobotError> {
+        let lower = self.limit(soft, "soft_lower_limit")?;
+        let upper = self.limit(soft, "soft_upper_limit")?;
+        let (range, absent) = match (lower, upper) {
+            (Some(lower), Some(upper)) if lower > upper => {
+                let value = format!("soft limits {lower} and {upper} are reversed");
+                let advice = "they are exchanged; correct them";
+                self.warn_of_soft_limits(soft, joint, value, advice);
+                return Ok(Some([upper, lower]));
+            }
+            // Absent soft limits are often written as 0 and 0.
+            (Some(lower), Some(upper)) => return Ok((lower < upper).then_some([lower, upper])),
+            (Some(lower), None) if lower < 0.0 => ([lower, 0.0], "soft_upper_limit"),
+            (Some(lower), None) => ([lower, f64::INFINITY], "soft_upper_limit"),
+            (None, Some(upper)) if upper > 0.0 => ([0.0, upper], "soft_lower_limit"),
+            (None, Some(upper)) => ([f64::NEG_INFINITY, upper], "soft_lower_limit"),
+            (None, None) => return Ok(None),
+        };
+        let advice = if range.iter().all(|limit| limit.is_finite()) {
+            "add it; without it 0 is assumed, the default of URDF"
+        } else {
+            "add it; without it the hard limit counts on this side"
+        };
+        self.warn_of_soft_limits(
+            soft,
+            joint,
+            format!("no {absent}, but the other one"),
+            advice,
+        );
+        Ok(Some(range))
+    }
+
+    fn warn_of_soft_limits(&self, soft: Node, joint: &str, value: String, advice: &str) {
+        let value = format!("its safety controller has {value}");
+        let w = words(value, "soft_lower_limit < soft_upper_limit", advice);
+        let subject = Subject::Joint(joint.to_owned());
+        self.warn_of(DiagnosticKind::Limit, soft, subject, w);
     }
 
     fn sum_mimic(&self, node: Node) -> Result<UrdfMimic, RobotError> {

@@ -21,6 +21,9 @@ use nalgebra::{Translation3, UnitQuaternion};
 
 /// Time before and after a push during which the force includes the hand's [s].
 const SETTLING: f64 = 0.5;
+/// Largest force of an event over a lasting change of the bias that explains it [1]: the change is that of medians, and
+/// the bias goes on drifting.
+const BIAS_FORCE: f64 = 1.5;
 
 /// Interpreter of a log that takes sample by sample in bounded memory, and interprets at any time what it has so far.
 ///
@@ -394,6 +397,11 @@ impl Interpreter {
         if doubts.iter().any(Doubt::is_other_surface) {
             // A force off the plane is that of another surface and not that of a hand.
             events.retain(|event| !event.kind.is_by_hand());
+        }
+        if let Some(change) = reading.bias_change.filter(|change| change.persists) {
+            // The changed bias explains these forces.
+            let most = BIAS_FORCE * change.size;
+            events.retain(|event| !event.kind.is_by_hand() || event.peak_force > most);
         }
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.

@@ -6,10 +6,10 @@ use wisch::follow::{
     Phase, RateKind, TimingConfig, Trajectory, TrajectoryFault, TrajectorySample, Workcell,
     WorkcellConfig, audit, follow, time_path,
 };
-use wisch::geometry::Vector3;
+use wisch::geometry::{PlanarPose, Point2, Vector3};
 use wisch::represent::{Action, Task};
 use wisch::robot::{RobotModel, SEGMENT_RESOLUTION, Srdf};
-use wisch_testkit::{arm7, block, board, cell, planned};
+use wisch_testkit::{arm7, block, board, cell, first_stroke, planned};
 
 struct Good {
     task: Task,
@@ -150,6 +150,46 @@ fn a_tool_beside_short_of_or_turned_from_its_line_is_off_it() {
         }
         assert_only(&faults(&short), &OFF_LINE);
     }
+}
+
+#[test]
+fn a_way_out_and_back_that_the_tool_leaves_out_is_found() {
+    let mut good = good();
+    let line = &mut wipe(&mut good.followed).tool_line;
+    let corner = line[1];
+    let mut aside = corner;
+    aside.surface_from_tool.position.y += 0.02;
+    line.splice(1..2, [corner, aside, corner]);
+    let found = faults(&good);
+    assert_only(&found, &OFF_LINE);
+    let MotionFault::OffLine { position, .. } = found[0] else {
+        unreachable!()
+    };
+    assert!((0.019..0.021).contains(&position), "{position}");
+}
+
+#[test]
+fn a_stroke_that_returns_on_itself_is_no_fault() {
+    let task = board(Action::Skim, [0.5, 0.0, 0.2]);
+    let (mut plan, cell) = (first_stroke(planned(&task)), cell(&task));
+    let stroke = &mut plan.strokes[0];
+    let (node, pose) = (stroke.nodes[0], stroke.poses[0]);
+    let at = |y: f64| PlanarPose {
+        position: Point2::new(0.0, y),
+        ..pose
+    };
+    stroke.poses = [0.02, 0.06, -0.05, 0.05, 0.0].map(at).to_vec();
+    stroke.nodes = vec![node; stroke.poses.len()];
+    let config = FollowConfig::default();
+    let followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+    assert_eq!(followed.strokes[0].poses.len(), 5);
+    let audit = audit(&followed, &cell, &task, &config).unwrap();
+    assert_eq!(audit.faults, []);
+    assert!(
+        audit.line.position < 0.5 * config.line_tolerance,
+        "{:?}",
+        audit.line
+    );
 }
 
 #[test]

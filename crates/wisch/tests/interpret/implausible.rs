@@ -167,6 +167,31 @@ fn a_force_that_drifts_leaves_the_performance_unknown() {
             "{rate}: {:?}",
             found.doubts
         );
+        assert_eq!(pushes(&found), 0, "{rate}: {:?}", found.events);
+    }
+}
+
+/// Number of events that a person causes.
+fn pushes(found: &Interpretation) -> usize {
+    let by_hand = found.events.iter().filter(|event| event.kind.is_by_hand());
+    by_hand.count()
+}
+
+#[test]
+fn a_force_that_is_the_same_in_the_air_and_close_to_the_surface_is_bias() {
+    for bias in [5.0, 8.0, 10.0, 20.0, -10.0] {
+        let found = changed(&Script::default(), |surface, _, sample| {
+            let above = surface.rotation * Vector3::z() * (DEPTH + 3e-3);
+            let force = surface.rotation * Vector3::z() * bias;
+            Some(TouchSample {
+                force,
+                ..moved(sample, above)
+            })
+        });
+        let known = found.force_bias.unwrap_or(f64::NAN);
+        assert!((known - bias).abs() < 0.01, "{bias} N: {known}");
+        assert_eq!(found.events, [], "{bias} N");
+        assert!(!found.is_conclusive(), "{bias} N: {:?}", found.doubts);
     }
 }
 
@@ -207,6 +232,7 @@ fn a_bias_that_steps_in_contact_leaves_the_performance_unknown() {
             found.doubts
         );
         assert!(!found.is_conclusive(), "{size} N in stroke {stroke}");
+        assert_eq!(pushes(&found), 0, "{size} N: {:?}", found.events);
     }
     // A hand that pushes during one free motion is no bias.
     let pushed = stepped(8.0, contacts[0][1] + 0.4, contacts[1][0] - 0.4);

@@ -13,14 +13,10 @@ const MAX_SAGITTA: f64 = 5e-5;
 const LEAST_RADIUS: f64 = 0.01;
 /// Length of the segments of a line over a mesh [m].
 const CHORD_ON_MESH: f64 = 5e-3;
-/// Length of the line ahead that is searched for the nearest point: longer than a rounded corner skips [m]. A
-/// rotation of a radian counts as a metre.
-const AHEAD: f64 = 0.12;
-/// Weight of a rotation against a translation where the nearest point of a line is searched for [m/rad].
+/// Weight of a rotation against a translation where the tool is compared with its line [m/rad].
 const METRES_PER_RADIAN: f64 = 0.1;
-/// A later place of the line has to be nearer by more than this [m]. Without it, errors of the inverse
-/// kinematics could skip a piece where a line returns on itself.
-const NEARER: f64 = 1e-5;
+/// Places of the line are no longer considered if they deviate by this much more than the best one [m].
+const HOPELESS: f64 = 0.02;
 
 /// Returns the tool's frame in the world.
 pub(super) fn world_from_tool(cell: &Workcell, q: &[f64]) -> Frame {
@@ -36,19 +32,26 @@ struct Segment {
     /// Change of these over the segment.
     change: [f64; 5],
     world_from_begin: Frame,
+    world_from_end: Frame,
     /// Vector of the straight path in the world [m].
     way: Vector3,
     /// Rotation vector from the start to the end [rad], in the tool's frame at the start.
     turn: Vector3,
 }
 
-/// The line of a tool, with the tool's progress along it.
+/// The line of a tool.
 pub(super) struct Line<'a> {
     task: &'a Task,
     segments: Vec<Segment>,
+}
+
+/// A place of the line at which the tool may be, and its largest deviation on the way there.
+#[derive(Debug, Clone, Copy)]
+struct Reached {
     segment: usize,
-    /// Share of the current segment.
+    /// Share of the segment.
     share: f64,
+    worst: LineDeviation,
 }
 
 /// Number of chords that stay within the allowed distance of the arc between two places, which a curved surface makes of a
@@ -174,25 +177,11 @@ impl<'a> Line<'a> {
                     world_from_begin: begin,
                     way: end.origin - begin.origin,
                     turn: begin.rotation_to(&end),
+                    world_from_end: end,
                 });
             }
         }
-        (!segments.is_empty()).then_some(Self {
-            task,
-            segments,
-            segment: 0,
-            share: 0.0,
-        })
-    }
-
-    /// Deviation of the tool from the start of the line.
-    pub fn deviation_at_start(&self, tool: &Frame) -> LineDeviation {
-        self.deviation_at(0, 0.0, tool)
-    }
-
-    /// Deviation of the tool from the end of the line.
-    pub fn deviation_at_end(&self, tool: &Frame) -> LineDeviation {
-        self.deviation_at(self.segments.len() - 1, 1.0, tool)
+        (!segments.is_empty()).then_some(Self { task, segments })
     }
 
     fn deviation_at(&self, segment: usize, share: f64, tool: &Frame) -> LineDeviation {
@@ -207,28 +196,98 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Returns the deviation of the tool from the nearest place of the line that is not behind the last one.
-    pub fn deviation_ahead(&mut self, tool: &Frame) -> LineDeviation {
-        let cost = |off: &LineDeviation| off.position + METRES_PER_RADIAN * off.rotation;
-        let mut nearest: Option<(LineDeviation, usize, f64)> = None;
-        let mut passed = 0.0;
-        for (i, segment) in self.segments.iter().enumerate().skip(self.segment) {
-            let least = if i == self.segment { self.share } else { 0.0 };
-            let share = segment.nearest(tool).clamp(least, 1.0);
-            let off = self.deviation_at(i, share, tool);
-            if nearest.is_none_or(|(best, ..)| cost(&off) + NEARER < cost(&best)) {
-                nearest = Some((off, i, share));
+    /// Returns the largest deviation of a motion of the tool that follows the line from its start to its end.
+    ///
+    /// This is the Fréchet distance: tool and line are both passed in their order, so that a line that returns on itself
+    /// has to be followed as often, and no part of it may be left out. Of all ways to match them, that with the least
+    /// deviation counts. `tools`: frames of the tool, so dense that it moves straight from one to the next.
+    pub fn deviation_of(&self, tools: impl Iterator<Item = Frame>) -> LineDeviation {
+        let mut reached: Vec<Reached> = Vec::new();
+        let mut last: Option<Frame> = None;
+        for tool in tools {
+            reached = match &last {
+                Some(before) => self.advance(&reached, before, &tool),
+                None => {
+                    let begin = Reached {
+                        segment: 0,
+                        share: 0.0,
+                        worst: self.deviation_at(0, 0.0, &tool),
+                    };
+                    self.advance(&[begin], &tool, &tool)
+                }
+            };
+            last = Some(tool);
+        }
+        let Some(tool) = last else {
+            return LineDeviation::default();
+        };
+        // The rest of the line is left out where the tool ends.
+        let mut rest = LineDeviation::default();
+        let mut left = self.segments.len();
+        let ends = reached.iter().rev().map(|place| {
+            while left > place.segment {
+                left -= 1;
+                rest = join(rest, self.deviation_at(left, 1.0, &tool));
             }
-            passed += segment.way.norm().max(segment.turn.norm()) * (1.0 - least);
-            if passed > AHEAD {
-                break;
+            join(place.worst, rest)
+        });
+        let least = ends.min_by(|a, b| cost(a).total_cmp(&cost(b)));
+        least.expect("the tool is somewhere")
+    }
+
+    /// Returns the places at which the tool may be after it has moved straight from `before` to `tool`, in the order of
+    /// the line.
+    fn advance(&self, reached: &[Reached], before: &Frame, tool: &Frame) -> Vec<Reached> {
+        let mut next: Vec<Reached> = Vec::with_capacity(reached.len() + 2);
+        let mut least = f64::INFINITY;
+        // The largest deviation on the best way to the start of the segment.
+        let mut passed: Option<LineDeviation> = None;
+        let mut waiting = reached.iter().peekable();
+        let first = reached.first().map_or(0, |place| place.segment);
+        for (i, segment) in self.segments.iter().enumerate().skip(first) {
+            let here = waiting.next_if(|place| place.segment == i);
+            let entered = passed.map(|worst| (worst, 0.0));
+            let stayed = here.map(|place| (place.worst, place.share));
+            let places = entered.into_iter().chain(stayed).map(|(worst, from)| {
+                let share = segment.nearest(tool).clamp(from, 1.0);
+                let worst = join(worst, self.deviation_at(i, share, tool));
+                Reached {
+                    segment: i,
+                    share,
+                    worst,
+                }
+            });
+            if let Some(place) = places.min_by(|a, b| cost(&a.worst).total_cmp(&cost(&b.worst))) {
+                least = least.min(cost(&place.worst));
+                next.push(place);
+            }
+            // The end of the segment is passed while the tool moves.
+            let ends = (here.map(|place| place.worst).into_iter().chain(passed))
+                .map(|worst| join(worst, segment.deviation_of_end(before, tool)));
+            passed = ends.min_by(|a, b| cost(a).total_cmp(&cost(b)));
+            let is_hopeless = passed.is_none_or(|worst| cost(&worst) > least + HOPELESS);
+            if is_hopeless {
+                passed = None;
+                if waiting.peek().is_none() {
+                    break;
+                }
             }
         }
-        let Some((off, segment, share)) = nearest else {
-            return self.deviation_at_end(tool);
-        };
-        (self.segment, self.share) = (segment, share);
-        off
+        next.retain(|place| cost(&place.worst) <= least + HOPELESS);
+        next
+    }
+}
+
+/// Returns a deviation as a length [m].
+fn cost(off: &LineDeviation) -> f64 {
+    off.position + METRES_PER_RADIAN * off.rotation
+}
+
+/// Returns the larger position and the larger rotation of two deviations.
+fn join(a: LineDeviation, b: LineDeviation) -> LineDeviation {
+    LineDeviation {
+        position: a.position.max(b.position),
+        rotation: a.rotation.max(b.rotation),
     }
 }
 
@@ -243,6 +302,24 @@ impl Segment {
             self.world_from_begin.rotation_to(tool).dot(&turn) / turn.norm_squared()
         } else {
             0.0
+        }
+    }
+
+    /// Returns the least deviation from the end of the segment of a tool that moves straight from one frame to another.
+    fn deviation_of_end(&self, before: &Frame, tool: &Frame) -> LineDeviation {
+        let (moved, turned) = (tool.origin - before.origin, before.rotation_to(tool));
+        let to_end = self.world_from_end.origin - before.origin;
+        let turn_to_end = before.rotation_to(&self.world_from_end);
+        let weight = METRES_PER_RADIAN * METRES_PER_RADIAN;
+        let length = moved.norm_squared() + weight * turned.norm_squared();
+        let share = if length > 0.0 {
+            ((moved.dot(&to_end) + weight * turned.dot(&turn_to_end)) / length).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        LineDeviation {
+            position: (to_end - moved * share).norm(),
+            rotation: (turn_to_end - turned * share).norm(),
         }
     }
 }

@@ -593,8 +593,7 @@ fn check_speed(
     }
 }
 
-/// Returns the deviation of the tool from its line over a motion. At the start and the end of the motion it is
-/// compared with those of the line, in between with the nearest place that is not behind the last one.
+/// Checks the deviation of the tool from its line over a motion, which has to follow the whole line in its order.
 fn check_line(
     number: usize,
     motion: &Motion,
@@ -604,25 +603,13 @@ fn check_line(
     config: &FollowConfig,
     audit: &mut Audit,
 ) {
-    let Some(mut line) = Line::new(task, &motion.tool_line) else {
+    let Some(line) = Line::new(task, &motion.tool_line) else {
         return;
     };
-    let mut worst = LineDeviation::default();
-    for (i, sample) in samples.iter().enumerate() {
-        let tool = world_from_tool(cell, &sample.q);
-        let mut add = |off: LineDeviation| {
-            worst.position = worst.position.max(off.position);
-            worst.rotation = worst.rotation.max(off.rotation);
-        };
-        if i == 0 {
-            add(line.deviation_at_start(&tool));
-        }
-        add(line.deviation_ahead(&tool));
-        if i + 1 == samples.len() {
-            add(line.deviation_at_end(&tool));
-        }
-    }
-    let LineDeviation { position, rotation } = worst;
+    let tools = samples
+        .iter()
+        .map(|sample| world_from_tool(cell, &sample.q));
+    let LineDeviation { position, rotation } = line.deviation_of(tools);
     audit.line.position = audit.line.position.max(position);
     audit.line.rotation = audit.line.rotation.max(rotation);
     if position > config.line_tolerance || rotation > config.turn_tolerance {

@@ -4,6 +4,7 @@ use super::MountSource;
 use crate::follow::FollowError;
 use crate::geometry::Vector3;
 use crate::represent::Mount;
+use crate::robot::setup::find_arms;
 use crate::robot::{
     GroupState, HOME_STATE, Joint, JointKind, LinkId, READY_STATE, RobotModel, Srdf,
 };
@@ -42,7 +43,8 @@ pub struct StartAssumption {
 }
 
 impl PlanningGroup {
-    /// Returns the group with a name, or the SRDF's first, or without an SRDF the longest chain.
+    /// Returns the group with a name, or the SRDF's first. Without a group of an SRDF it is the first arm that
+    /// [`find_arms`] finds, and without an arm the longest chain.
     ///
     /// # Errors
     /// The SRDF has no group of that name.
@@ -62,7 +64,7 @@ impl PlanningGroup {
                 }
             },
             None => (groups.first())
-                .map_or_else(|| longest_chain(robot), |group| (group.base, group.tip)),
+                .map_or_else(|| assumed_chain(robot), |group| (group.base, group.tip)),
         };
         Ok(Self {
             base,
@@ -87,6 +89,16 @@ impl PlanningGroup {
     pub fn held_joints(&self, robot: &RobotModel) -> Vec<String> {
         held_joints(robot, self.base)
     }
+}
+
+/// Returns the chain of a robot without groups: its first arm, without a gripper at its end.
+fn assumed_chain(robot: &RobotModel) -> (LinkId, LinkId) {
+    let arms = find_arms(robot, &[]).unwrap_or_default();
+    let group = (arms.first()).and_then(|arm| arm.groups.first());
+    group.map_or_else(
+        || longest_chain(robot),
+        |proposed| (proposed.group.base, proposed.group.tip),
+    )
 }
 
 /// Returns the chain from the root to the link with the most moving joints before it.

@@ -184,6 +184,7 @@ impl ForceReading {
             .collect();
         let axes = SensorAxes::Surface;
         let known = (free.len() >= MIN_CALM).then(|| bias_and_noise(pieces, &free, axes));
+        let known = known.or_else(|| find_constant_bias(pieces, &high, &is_clear, config));
         let (bias, noise) = known.unwrap_or((Vector3::zeros(), f64::INFINITY));
         Self {
             axes,
@@ -314,6 +315,29 @@ impl ForceReading {
             _ => declared,
         }
     }
+}
+
+/// Returns bias and noise of a log whose force is the same well above the surface and near it, however large; `None` if the
+/// force differs. The spring of a tool has the same force at one height only.
+///
+/// # Parameters
+/// - `high`: pieces of calm motion well above the surface.
+/// - `is_clear`: whether the tool is well above the surface at each piece.
+fn find_constant_bias(
+    pieces: &[MeasuredPiece],
+    high: &[usize],
+    is_clear: &[bool],
+    config: &InterpretConfig,
+) -> Option<(Vector3, f64)> {
+    let low: Vec<usize> = (0..pieces.len()).filter(|&i| !is_clear[i]).collect();
+    if high.len().min(low.len()) < MIN_CALM {
+        return None;
+    }
+    let axes = SensorAxes::Surface;
+    let [above, below] = [high, &low].map(|some| bias_and_noise(pieces, some, axes));
+    let difference = (above.0 - below.0).norm();
+    let is_same = difference <= above.1.max(config.force_noise_n);
+    is_same.then_some(above)
 }
 
 /// Pieces of a log, with what their motion alone shows.
