@@ -3,7 +3,7 @@
 use super::FollowError;
 use std::f64::consts::PI;
 
-/// How thoroughly a path along an edge is searched for.
+/// Effort of the search for a path along an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SearchScope {
     /// Only step by step along the edge.

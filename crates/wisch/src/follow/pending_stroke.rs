@@ -14,7 +14,7 @@ pub(super) struct PendingNode {
     pub stroke: usize,
 }
 
-/// The pending part of a planned stroke, or a stroke that was joined anew.
+/// The pending part of a planned stroke, or a rejoined stroke.
 #[derive(Debug, Clone)]
 pub(super) struct PendingStroke {
     /// The pending nodes; the tool touches down at the first.
