@@ -213,8 +213,9 @@ pub struct Audit {
     pub line: LineDeviation,
     /// Largest deviation of the second hand from its grip over all motions; zero if one hand holds the tool.
     pub grip: GripDeviation,
-    /// Smallest distance of bodies that must not touch, at most 0.5 m \[m\]. The tool against the object that
-    /// carries the surface counts only while the tool is not coming down, wiping or lifting off.
+    /// Smallest distance of bodies that must not touch, at most 0.5 m \[m\]. The distance between
+    /// the tool and the object that carries the surface counts only in phases other than lowering,
+    /// wiping and lifting off.
     pub min_clearance: f64,
     /// All faults; empty for a sound motion.
     pub faults: Vec<MotionFault>,

@@ -49,7 +49,8 @@ pub(super) struct SurfaceCheck<'a> {
     waits_behind: bool,
     /// The mesh of the surface, if it has one.
     given: Option<GivenMesh>,
-    /// Box in the frame of the surface beyond which no edge of a body meets a mesh [m]; `None` of another surface.
+    /// Box in the frame of the surface [m]: no edge of a body beyond it meets the mesh; `None` for
+    /// a surface without a mesh.
     near: Option<[Vector3; 2]>,
 }
 
