@@ -237,9 +237,10 @@ fn windows_are_means_at_any_rate_and_end_with_their_stroke() {
     }
 }
 
-/// A planted fault by the number of runs since its begin, from 1, and the run at the end of which a round's own estimate
-/// shows it: a surface is relocalised from 3 mm, half or more of the asked force is missing or added, half of the stiffness
-/// is lost, or the tracking error exceeds the tolerated 3 mm.
+/// A planted fault, as a function of the number of runs since it began, counted from 1; and the run
+/// at whose end the interpretation of a round shows it. The surface is relocalised from 3 mm; or
+/// the press force differs by half of the commanded force or more; or half of the stiffness is
+/// lost; or the tracking error exceeds the tolerated 3 mm.
 type Plant = (&'static str, fn(usize) -> Fault, usize);
 
 const FAULTS: [Plant; 5] = [
