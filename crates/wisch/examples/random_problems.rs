@@ -16,7 +16,7 @@ use wisch_testkit::{Problem, ShippedRobot, SolvedProblem, robots};
 /// Least share of at least [`MANY`] problems that must be followed, wholly or in part: a program
 /// that refuses all of them would have no faults.
 const LEAST_FOLLOWED: f64 = 0.7;
-/// Number of problems above which [`LEAST_FOLLOWED`] applies.
+/// Least number of problems to which [`LEAST_FOLLOWED`] applies.
 const MANY: usize = 100;
 
 /// Index of a seed's robot and the result; `None` if it panicked.
