@@ -138,7 +138,8 @@ impl ChildGroup {
         }
     }
 
-    /// Takes a line that has arrived already, or the reason why no more count; `None` if there is neither.
+    /// Takes a line that has arrived already, or the reason why further lines are ignored; `None`
+    /// if there is neither.
     pub fn take_unasked(&self) -> Option<Result<String, String>> {
         let taken = self.lines.take(Instant::now()).ok();
         taken.map(|(_, line)| line)

@@ -232,7 +232,8 @@ impl ProcessExecutor {
         self.say(request)
     }
 
-    /// Refuses a message that has arrived without a request: what would be its answer is not known.
+    /// Refuses a message that has arrived without a request: it would be taken for the answer to
+    /// the next one.
     fn check_unasked(&mut self) -> Result<(), ExecutorError> {
         let Some(line) = self.child.take_unasked() else {
             return Ok(());
