@@ -260,7 +260,7 @@ impl Robot {
         if let Some((name, bytes)) = found {
             let hash = RobotHash::from_robot(&robot.model);
             robot.map = match CapabilityMap::from_bytes(&name, &bytes, hash) {
-                // A map that nobody named is not needed.
+                // A map that the user did not name is optional.
                 Err(MapError::ReachesNothing { .. }) if map_file.is_none() => None,
                 map => Some(map?),
             };

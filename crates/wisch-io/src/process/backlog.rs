@@ -34,7 +34,8 @@ struct Waiting {
     has_ended: bool,
     /// Whether no more lines are taken.
     is_closed: bool,
-    /// Whether the reading thread waits for space, so that the child's silence would say nothing.
+    /// Whether the reading thread waits for space; then the child may be unable to write, and its
+    /// silence is no fault.
     is_full: bool,
     /// The watch over a motion.
     watch: Option<Watch>,
