@@ -24,9 +24,9 @@ const TRIANGLE_TOLERANCE: f64 = 1e-4;
 
 /// Checks a URDF, and returns all findings. `name` identifies the text in messages. `meshes` returns the bytes of a
 /// collision mesh, given its file name in the URDF, or an error text.
+///
 /// If a finding is a [`Severity::Error`], [`RobotModel::from_urdf`](crate::RobotModel::from_urdf)
 /// rejects the text.
-/// With an [`Severity::Error`], [`RobotModel::from_urdf`](crate::RobotModel::from_urdf) rejects the text.
 ///
 /// ```
 /// use wisch_robot::{DiagnosticKind, check};

@@ -27,9 +27,9 @@ use wisch::plan::Stroke;
 use wisch::represent::{Observation, SurfaceShape};
 use wisch::run::{SampleStatus, TelemetrySample};
 
-/// Longest time that a killed program loses [ns]: a chunk is written when it covers this time,
+/// Longest time that a killed program loses [ns]: a chunk is written when it covers this time.
 const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
-/// or when it has this length [bytes].
+/// Length from which a chunk is written before that time [bytes].
 const CHUNK_LEN: u64 = 1 << 20;
 /// Least time between two messages of `/tf` [ns]: 50 Hz, enough for displays.
 const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;

@@ -160,9 +160,9 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
 /// Each pose becomes a node of the plan's graph. A collect without a goal in the task collects where the last
 /// stroke ends.
 ///
+/// # Errors
 /// [`PlanError::Stroke`] for a stroke that the tool cannot make, see [`check_strokes`];
 /// [`PlanError::NoTreatment`] for a treatment without a number of passes or a thickness.
-/// thickness.
 pub fn plan_from_strokes(
     task: &Task,
     strokes: &[Vec<PlanarPose>],

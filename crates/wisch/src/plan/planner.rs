@@ -107,6 +107,7 @@ impl<'a> Planner<'a> {
 
     /// Plans by the configured strategy; [`Strategy::Best`] plans by all and takes the best.
     ///
+    /// # Errors
     /// [`PlanError::StrategyDoesNotFit`], [`PlanError::NoFreeNode`], [`PlanError::GoalOffSurface`],
     /// [`PlanError::GoalNotFree`], [`PlanError::NoSkimEdge`], or an error about the geometry, such
     /// as [`PlanError::Scene`].

@@ -72,9 +72,9 @@ pub trait Executor {
     }
 
     /// Observes the dirt with a camera, in the frame of the task's surface; `None` without a camera.
+    ///
     /// # Errors
     /// If the camera fails.
-    /// The camera fails.
     fn observe(&mut self, _task: &Task) -> Result<Option<Observation>, ExecutorError> {
         Ok(None)
     }

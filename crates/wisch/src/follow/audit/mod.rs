@@ -230,9 +230,9 @@ fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
 }
 
 /// Checks every motion against the limits of the robot, the cell and the task.
+///
 /// - Positions, velocities and accelerations of all joints, mimic joints included, are within their
 ///   limits.
-/// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
 /// - Efforts for the robot's own weight and inertia, and in contact for the press force, are within their limits. The
 ///   press force is not counted for a tool in two hands.
 /// - Bodies keep their clearance at every time.
