@@ -12,9 +12,9 @@
 //!   κ₁L₁² + κ₂L₂² ≤ 12 δ, and in a hollow if |κ₁L₁² + κ₂L₂²| ≤ 24 δ.
 //! - Otherwise, m is the root of a convex function, which Newton's method approaches from one side. The integrals over
 //!   the touched part are sums over the edges of the footprint: exact where the surface bends in one direction only,
-//! and by quadrature to about 1e-9 elsewhere. On a cylinder, a strip of the share Λ^(−1/3) touches,
-//! with Λ = κL²/12δ. Under a round pad of radius r on a sphere, a disc of the share Λ^(−1/2)
-//! touches, with Λ = κr²/4δ.
+//!   and by quadrature to about 1e-9 elsewhere. On a cylinder, a strip of the share Λ^(−1/3)
+//!   touches, with Λ = κL²/12δ. Under a round pad of radius r on a sphere, a disc of the share
+//!   Λ^(−1/2) touches, with Λ = κr²/4δ.
 //!
 //! The model neglects shear between the springs, and approximates the surface by a parabola under
 //! the tool.
