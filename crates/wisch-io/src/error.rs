@@ -107,7 +107,7 @@ pub enum Error {
     /// An invalid capability map.
     #[error(transparent)]
     Map(Box<MapError>),
-    /// A location where results cannot be written.
+    /// Results cannot be written at a location.
     #[error("{}: {problem}", path.display())]
     Output {
         /// The location.

@@ -21,7 +21,7 @@ use wisch::run::{RunConfig, Session};
 use wisch::source_location::UnknownName;
 use wisch_sim::SimulationSettings;
 
-/// Default strategy: the paper's simplest, which leaves no free cell out.
+/// Default strategy: the simplest one of the paper, which covers every free cell of a grid.
 const DEFAULT_STRATEGY: Strategy = Strategy::Coverage(CoverageStrategy::Grid);
 
 /// Values that override those of a task file.
@@ -159,7 +159,7 @@ impl LoadedTask {
         seen.map_err(|error| Error::Asset(error.to_string()))
     }
 
-    /// Returns the model of this camera for the task's medium.
+    /// Returns what the camera `sensor` detects of the task's medium, given its grain sizes.
     pub fn sight(&self, sensor: SensorModel) -> Sight {
         sight(sensor, &self.task, &self.knowledge)
     }
@@ -229,7 +229,8 @@ pub fn load_task_with(
     parse_task(path, read_task_text(path)?, &mut files, options)
 }
 
-/// Reads the name of a task from its file, without the files that it names.
+/// Reads the name of a task from its file, but not the files that it names. `settings` override the
+/// file's values, see [`TaskFile::parse`].
 ///
 /// # Errors
 /// If the file cannot be read or is invalid.
@@ -238,8 +239,9 @@ pub fn read_task_name(path: &Path, settings: &[(String, String)]) -> Result<Stri
     Ok(TaskFile::parse(&shown, &read_task_text(path)?, settings)?.name)
 }
 
-/// Returns whether a task file asks for all patches of a divided mesh, without the files that it names. A pipe is not read,
-/// as its text comes once only: the patches of its task are refused when it is loaded.
+/// Returns whether a task file asks for all patches of a divided mesh; the files that it names are
+/// not read. `settings` override the file's values. A named pipe is not read either, because its
+/// text can be read only once: its task is refused when it is loaded, if it asks for all patches.
 ///
 /// # Errors
 /// If the file cannot be read or is invalid.

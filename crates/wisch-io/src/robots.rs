@@ -46,7 +46,7 @@ type Packages = Vec<(String, PathBuf)>;
 /// The contents of a robot's files, from which it can be read again later.
 #[derive(Debug, Clone, Default)]
 pub struct RobotFiles {
-    /// The URDF, on the base that the SRDF declares.
+    /// The URDF, with the joint of a mobile base that the SRDF declares.
     pub urdf: String,
     /// The SRDF, if it exists.
     pub srdf: Option<String>,
@@ -243,7 +243,8 @@ impl Robot {
         Self::read(&Self::description(robot), Path::new(""), None, &[])
     }
 
-    /// Reads a robot. `task_file`: file to which paths of the description are relative. `map_file`: the user's capability map.
+    /// Reads a robot. `task_file`: file to whose folder paths of the description are relative.
+    /// `map_file`: the user's capability map. `packages`: names of ROS packages with their folders.
     ///
     /// # Errors
     /// If the name is unknown, or a file cannot be read or is invalid.
@@ -273,7 +274,7 @@ impl Robot {
         if let Some((name, bytes)) = found {
             let hash = RobotHash::from_robot(&robot.model);
             robot.map = match CapabilityMap::from_bytes(&name, &bytes, hash) {
-                // A map that nobody named is not needed.
+                // A map that the user did not name is optional.
                 Err(MapError::ReachesNothing { .. }) if map_file.is_none() => None,
                 map => Some(map?),
             };
@@ -282,7 +283,7 @@ impl Robot {
         Ok(robot)
     }
 
-    /// Reads a robot without a capability map.
+    /// Reads a robot without a capability map; the parameters are those of [`Self::read`].
     ///
     /// # Errors
     /// If the name is unknown, or a file cannot be read or is invalid.
@@ -333,8 +334,9 @@ pub fn shipped_robots() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// Returns warnings about a robot, one sentence each: what was read otherwise than it is written, left out, or probably has a
-/// wrong unit. Meshes of collision shapes that cannot be read are one sentence.
+/// Returns warnings about a robot, one sentence each: what was not read as written, was left out,
+/// or probably has a wrong unit. One sentence covers all meshes of collision shapes that cannot be
+/// read.
 ///
 /// ```
 /// # let urdf = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/arm7.urdf");
@@ -436,7 +438,7 @@ fn files(urdf: &Path, srdf: Option<&Path>, packages: &[(String, PathBuf)]) -> Re
     robot(model, text, srdf, found, source)
 }
 
-/// Returns a URDF on the base that its SRDF declares. `srdf`: name and text.
+/// Returns a URDF with the joint of a mobile base that its SRDF declares. `srdf`: name and text.
 fn on_base(urdf: String, srdf: Option<&(String, String)>) -> String {
     match srdf {
         Some((_, srdf)) => urdf_on_base(&urdf, srdf),

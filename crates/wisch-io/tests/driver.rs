@@ -13,8 +13,8 @@ use wisch::run::{
 };
 use wisch_io::{DriverRobotRecord, PauseSwitch, ProcessExecutor, ProcessOptions};
 
-/// Executes any number of motions, each twice as fast as planned, and writes down what it hears, word by word.
-/// `spoil(word)` is called before the answer to each word.
+/// Executes any number of motions, each twice as fast as planned, and writes the received messages
+/// to a file, one word each. `spoil(word)` is called before the answer to each word.
 const DRIVER: &str = r#"
 import json, sys
 def hear():
@@ -144,7 +144,7 @@ fn a_driver_prepares_before_its_first_motion_and_finishes_after_its_last() {
     words.dedup();
     assert_eq!(words, ["hello", "prepare", "execute", "finish"]);
 
-    // A driver that does not say so hears neither.
+    // A driver that does not state this ability receives neither.
     let heard = file();
     let mut child = driver(&heard, "", "pass");
     let mut session = loaded.session().with_robot(robot.robot_setup());
@@ -200,7 +200,7 @@ fn a_driver_that_cannot_prepare_moves_nothing_and_one_that_cannot_finish_is_name
     assert_eq!(failure, None);
     assert_eq!(words[words.len() - 2..], ["stop", "finish"]);
 
-    // What it still says of the motion is no reason to give up, and it has time to hand the robot back.
+    // Late messages about the motion are no fault, and the driver has time to hand the robot back.
     let late = "if word == \"execute\": say(nonsense=1)\nif word == \"finish\":\n    print(\"no message\", flush=True)\n    say(observation=None)\n    import time\n    time.sleep(0.8)\n    open(HEARD, \"a\").write(\"handed back\\n\")";
     let (_, failure, words) = run(late);
     assert_eq!(failure, None);

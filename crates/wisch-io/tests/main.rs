@@ -1,4 +1,4 @@
-//! The tests of what reaches outside: programs that execute motions.
+//! Tests with other programs that execute motions.
 
 mod driver;
 mod misbehaviour;

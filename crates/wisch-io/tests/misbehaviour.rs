@@ -6,7 +6,8 @@ use wisch::interpret::Doubt;
 use wisch::run::{RunConfig, Session, ignore_events};
 use wisch_io::{ProcessExecutor, ProcessOptions};
 
-/// A driver that follows motions exactly and presses as it should, if nothing replaces its comments.
+/// A driver that follows motions exactly and presses as required; tests replace its comments by
+/// faults.
 const DRIVER: &str = r#"
 import json, os, sys, time
 def hear():

@@ -1,4 +1,4 @@
-//! Executors in processes of their own: the one that is documented, and such as go wrong.
+//! Executors in separate processes: the documented one, and faulty ones.
 
 use std::ops::ControlFlow;
 use std::process::Command;
@@ -16,7 +16,8 @@ use wisch_io::{LoadOptions, LoadedTask, ProcessExecutor, ProcessOptions, Robot, 
 
 const ECHO_ROBOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/echo_robot.py");
 
-/// What the children below begin with: they greet, take a motion in, and can say samples.
+/// The first lines of the children below: functions to greet, to receive a motion, and to send
+/// samples.
 pub const CHILD: &str = r#"
 import json, select, signal, sys, time
 signal.signal(signal.SIGPIPE, signal.SIG_DFL)
@@ -45,7 +46,7 @@ def done(ending, positions=points[-1]["positions"], duration=None):
     say(done={"duration_s": duration, "ending": ending, "positions": positions})
 "#;
 
-/// Whether there is Python; where CI runs there has to be.
+/// Whether Python is installed; in CI it must be.
 pub fn has_python() -> bool {
     let is_there = Command::new("python3").arg("--version").output().is_ok();
     let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
@@ -96,14 +97,15 @@ fn start(script: &str) -> Result<ProcessExecutor, ExecutorError> {
     ProcessExecutor::start("python3", &["-c".to_owned(), script.to_owned()])
 }
 
-/// Has a child execute a motion that begins as above and goes on with these lines. `most` samples are taken, and none
-/// after that.
+/// Has a child execute a motion by these lines after the common ones. The receiver of samples stops
+/// the motion after `most` of them.
 fn executed(
     planned: &PlannedRound,
     lines: &str,
     most: usize,
 ) -> Result<(Execution, usize), ExecutorError> {
-    // A machine that is busy may keep a child waiting; wisch soon stops waiting only for those that sleep.
+    // On a busy machine, a child may be slow. The limit of silence is short only for children that
+    // sleep.
     let patience = if lines.contains("time.sleep") {
         700
     } else {
@@ -137,12 +139,12 @@ fn the_documented_robot_wipes_until_touch_tells_no_more() {
         .run(&mut child, &mut ignore_events)
         .expect("it ends");
     let last = session.rounds().last().expect("a round");
-    // It only feels.
+    // The executor has no camera.
     let gave_up = [Verdict::NoWay, Verdict::Undecidable, Verdict::UnsafeMotion];
     assert!(!gave_up.contains(&last.verdict), "{:?}", last.verdict);
     assert_eq!(last.execution.ending, Ending::Complete);
     assert!(last.interpretation.plane.is_some());
-    // The rest of the time near the surface, the tool comes down to it and lifts off.
+    // During the rest of the time near the surface, the tool is lowered or lifted.
     let felt = last.interpretation.contact_share.unwrap();
     assert!(
         felt > 0.75,
@@ -354,7 +356,7 @@ fn how_a_child_ended_is_taken_over() {
         (0.5, "a hand is in the way")
     );
 
-    // A stop that nobody requested is one of the robot.
+    // A stop without a request is a stop by the robot.
     let lines = "sample(0); sample(0.5)\ndone('stopped', duration=0.5)";
     let (execution, _) = executed(&planned, lines, usize::MAX).expect("it ends");
     let Ending::ProtectiveStop { time, cause } = execution.ending else {
@@ -636,7 +638,7 @@ fn a_silent_child_gets_a_stop_before_its_executor_ends() {
     let error = child.execute(&order, &mut |_| ControlFlow::Continue(()));
     let error = error.expect_err("it is silent").to_string();
     assert!(error.contains("no message for 0.3 s"), "{error}");
-    // The executor lives on, as it does while the measured data are interpreted.
+    // The executor is not dropped yet, as during the interpretation of its data.
     let begun = Instant::now();
     let message = loop {
         match std::fs::read_to_string(&heard) {
@@ -781,7 +783,7 @@ fn all_that_a_child_started_ends_with_it() {
     let is_running = |pid: &str| {
         let state = std::fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
         let after = state.rsplit(')').next().unwrap_or_default();
-        // One that nobody has asked after yet is gone as well.
+        // A process that has ended but was not waited for yet (a zombie) counts as ended.
         !after.is_empty() && !after.trim_start().starts_with('Z')
     };
     let child = start(&script).expect("it greets");

@@ -18,8 +18,8 @@ fn start(script: &str) -> ProcessExecutor {
     ProcessExecutor::start("python3", &["-c".to_owned(), script.to_owned()]).expect("it greets")
 }
 
-/// Lets a child execute a motion for observers that take no second sample before the child has heard "stop". Returns the
-/// error and the number of samples.
+/// Lets a child execute a motion for an observer that takes no second sample before the child has
+/// received "stop". Returns the error and the number of samples.
 fn observed_slowly(planned: &PlannedRound, lines: &str) -> (ExecutorError, usize) {
     let folder = tempfile::tempdir().expect("a folder");
     let stopped = folder.path().join("stopped");

@@ -107,7 +107,7 @@ impl RoundScene {
     }
 
     /// Returns a scene with the robot at the world's origin, the tool's frame at that of its link, and the surface at
-    /// the world's origin. For examples that do not wipe.
+    /// the world's origin. It serves tests and examples without wiping.
     pub fn with_upright_tool(robot: &str, tip: &str, tool: &str, surface: &str) -> Self {
         let nowhere = StoredPose::from(&Pose::identity());
         Self {
@@ -142,7 +142,7 @@ impl RoundScene {
     }
 }
 
-/// Why a pose cannot be computed.
+/// The reason why the pose of a frame cannot be computed.
 #[derive(Debug, thiserror::Error)]
 pub enum FrameError {
     /// The frame does not exist.
@@ -215,7 +215,7 @@ pub enum FrameError {
     Telemetry(#[from] TelemetryError),
 }
 
-/// How densely a trajectory is sampled.
+/// The times at which a trajectory is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sampling {
     /// A sample per period \[s\], from the first time on.
@@ -233,7 +233,7 @@ pub struct PoseAt {
     pub world_from_frame: Pose,
 }
 
-/// What carries a frame.
+/// The body to which a frame is attached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Carrier {
     World,
@@ -458,7 +458,7 @@ impl<'a> Frames<'a> {
         Ok(self.telemetry.nearest_row(time)?.unwrap_or(0))
     }
 
-    /// Returns what carries a frame, and the frame's pose on it.
+    /// Returns the body to which a frame is attached, and the frame's pose on it.
     fn carrier(&self, frame: &str) -> Result<(Carrier, Pose), FrameError> {
         let scene = &self.scene;
         let at = |link| Ok((Carrier::Link(link), Pose::identity()));

@@ -3,8 +3,8 @@
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
-/// Returns the name of an episode that begins at a time [s since 1970]: date and time (UTC), and four hex digits that
-/// distinguish episodes of the same second.
+/// Returns the name of an episode that begins at `start` [s since 1970]: date and time (UTC), and
+/// `salt` as four hex digits, which distinguish episodes of the same second.
 ///
 /// ```
 /// assert_eq!(wisch_memory::episode_id(1_795_309_772.5, 0x3f2a), "20261122-010932-3f2a");
@@ -13,7 +13,7 @@ pub fn episode_id(start: f64, salt: u16) -> String {
     format!("{}-{salt:04x}", in_utc(start, "%Y%m%d-%H%M%S"))
 }
 
-/// Returns date and time (UTC) as text.
+/// Returns date and time (UTC) of a time [s since 1970] as text.
 ///
 /// ```
 /// assert_eq!(wisch_memory::date_and_time(1_795_309_772.5), "2026-11-22 01:09:32");
@@ -22,7 +22,8 @@ pub fn date_and_time(time: f64) -> String {
     in_utc(time, "%Y-%m-%d %H:%M:%S")
 }
 
-/// Returns date and time in the time zone of this machine, with the offset from UTC.
+/// Returns date and time of a time [s since 1970] in the time zone of this machine, with the offset
+/// from UTC.
 ///
 /// ```
 /// // The time is UTC where no time zone is set.

@@ -11,7 +11,8 @@ pub const CUT_REMARK: &str = "the log is incomplete: its writer did not finish i
 
 /// Largest difference of the times of one sample in two recordings [s]: files keep nanoseconds.
 const SAME_TIME: f64 = 1e-6;
-/// Largest differences of one sample in two recordings, relative to 1 and the value: files keep single precision.
+/// Largest differences of one sample in two recordings: of the position [m], times 1 plus its norm;
+/// of the quaternion; and of the force [N], times 1 plus its norm. Files keep single precision.
 const SAME_POSITION: f64 = 1e-6;
 const SAME_ROTATION: f64 = 1e-5;
 const SAME_FORCE: f64 = 1e-5;
@@ -113,7 +114,9 @@ fn is_same_force(one: &TouchSample, other: &TouchSample) -> bool {
     (one.force - other.force).norm() <= SAME_FORCE * (1.0 + one.force.norm())
 }
 
-/// Returns whether two observations are the same, apart from the single precision of bags. Unknown ones may be.
+/// Returns whether the detections before and after two rounds may be the same. Detections are
+/// compared up to the single precision of bags; an observation that one of the recordings lacks may
+/// be any. Hidden areas are not compared.
 pub fn may_be_same_observations(
     one: &[Option<Observation>; 2],
     other: &[Option<Observation>; 2],

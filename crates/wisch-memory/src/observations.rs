@@ -84,7 +84,7 @@ impl RoundObservations {
     /// Checks that the observations can be stored.
     ///
     /// # Errors
-    /// The first fault.
+    /// The first fault: a number that is not finite, or a quaternion whose norm is not 1.
     pub fn check(&self) -> Result<(), ObservationFault> {
         let pose = &self.world_from_surface;
         let parts = pose.translation.vector.iter();

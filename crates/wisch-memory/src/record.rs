@@ -57,7 +57,7 @@ pub struct Individual {
 /// The record of an episode: its individuals, participants and result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EpisodeRecord {
-    /// [`EPISODE_SCHEMA`].
+    /// Version of the schema: [`EPISODE_SCHEMA`].
     pub schema: u32,
     /// Its name: letters, digits and `-`.
     pub id: String,
@@ -173,7 +173,7 @@ impl EpisodeRecord {
     /// Checks that the record can be stored.
     ///
     /// # Errors
-    /// The first fault.
+    /// The first fault that was found.
     pub fn check(&self) -> Result<(), RecordFault> {
         if self.schema != EPISODE_SCHEMA {
             return Err(RecordFault::Schema { found: self.schema });

@@ -224,7 +224,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
 fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Interpretation) {
     individual.estimate(interpretation);
     let asked = task.interaction.contact_force();
-    // A tool that hovers is to press with no force.
+    // The press force of a tool that hovers is 0.
     if asked > 0.0 {
         individual.set_number("semco:pressForce", asked);
     }

@@ -68,7 +68,8 @@ impl Episode {
         } else {
             BTreeMap::new()
         };
-        // A mesh that the robot had no more when it was recorded is missing here, too; one that the episode lists is not.
+        // The episode does not list a mesh that was already missing when it was recorded, so its
+        // absence is no damage. A listed mesh must be readable.
         let mut damaged: Option<String> = None;
         let mut mesh = |name: &str| {
             let file = files

@@ -29,7 +29,7 @@ struct Run {
 }
 
 impl Run {
-    /// A run of a day that is as it should be.
+    /// A run of a day without any fault.
     fn good(day: usize) -> Self {
         Self {
             robot: "arm",
@@ -118,7 +118,7 @@ fn kinds(report: &HealthReport, channel: HealthChannel) -> Vec<HealthFindingKind
     findings.map(|finding| finding.kind).collect()
 }
 
-/// Runs with realistic scatter; `change` plants what is to be found.
+/// Runs with realistic scatter; `change` plants the fault.
 fn scattered(seed: u64, count: usize, change: impl Fn(usize, &mut Run)) -> Vec<Run> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let runs = (0..count).map(|day| {
@@ -263,7 +263,8 @@ fn a_sudden_change_is_no_drift_and_needs_attention_for_ten_runs() {
     assert!(!offset.trend.as_ref().unwrap().is_drift);
     assert!(kinds(&report, HealthChannel::Offset).contains(&HealthFindingKind::SuddenChange));
     assert_eq!(offset.findings[0].cause, Some(DriftCause::LoweredSurface));
-    // Later, the change is stated, but it is no news; a surface beyond a limit stays a finding.
+    // Later, the change is stated, but it is no finding any more; a surface beyond a limit stays
+    // one.
     let later = report_on(&scattered(6, 40, |day, run| {
         shift(&mut run.offset, if day < 12 { 0.0 } else { -3e-3 });
     }));
@@ -332,7 +333,7 @@ fn runs_are_in_the_order_of_their_times_and_undated_ones_left_out() {
         (16, 1)
     );
     assert_eq!(report.groups[0].channels, ordered.groups[0].channels);
-    // All at the same time: no order is known, and nothing fails.
+    // Runs that all begin at the same time have no order; the assessment must not panic.
     for run in &mut runs {
         run.begin = BEGIN;
     }

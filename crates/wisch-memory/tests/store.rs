@@ -350,7 +350,7 @@ fn tables_answer_for_no_episode_that_was_changed_or_emptied_by_hand() {
     let catalogue = memory.catalogue().unwrap();
     let found = (catalogue.episodes().iter()).find(|row| row.id == first.id);
     assert_eq!(found.unwrap().task, "again");
-    // A copy that ended half-way.
+    // A copy that was interrupted.
     std::fs::remove_dir_all(place(&second.id)).unwrap();
     std::fs::create_dir(place(&second.id)).unwrap();
     let catalogue = memory.catalogue().unwrap();
@@ -426,7 +426,8 @@ fn child_writes_until_it_is_killed() {
     for number in first.. {
         store(&memory, &one_round(number)).unwrap();
         if number % 5 == 4 {
-            // Its place is reused at once, so that the count still gives the next number.
+            // The same name is used again at once, so that the number of episodes still gives the
+            // next number.
             memory.forget(&one_round(number).id).unwrap();
             store(&memory, &one_round(number)).unwrap();
         }

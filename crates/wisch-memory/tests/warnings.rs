@@ -18,7 +18,7 @@ const PRESS: f64 = 10.0;
 const CONTROLLER: f64 = 500.0;
 const SPONGE: f64 = 2000.0;
 
-/// What is wrong in a run.
+/// The faults that are planted in a run.
 #[derive(Debug, Clone, Copy, Default)]
 struct Fault {
     /// Height of the true surface over the believed one [m].
@@ -232,14 +232,15 @@ fn windows_are_means_at_any_rate_and_end_with_their_stroke() {
         }
         let share = windows[8].values[2];
         assert!((share - 4.0 / 9.0).abs() < 0.06, "{share}");
-        // Another stroke begins its windows anew.
+        // No window extends over two strokes.
         assert_eq!(builder.push((1, 1.0), 6.05, &sample(0.0)), None);
     }
 }
 
-/// A planted fault by the number of runs since its begin, from 1, and the run at the end of which a round's own estimate
-/// shows it: a surface is relocalised from 3 mm, half or more of the asked force is missing or added, half of the stiffness
-/// is lost, or the tracking error exceeds the tolerated 3 mm.
+/// A planted fault, as a function of the number of runs since it began, counted from 1; and the run
+/// at whose end the interpretation of a round shows it. The surface is relocalised from 3 mm; or
+/// the press force differs by half of the commanded force or more; or half of the stiffness is
+/// lost; or the tracking error exceeds the tolerated 3 mm.
 type Plant = (&'static str, fn(usize) -> Fault, usize);
 
 const FAULTS: [Plant; 5] = [

@@ -221,7 +221,7 @@ mod tests {
     use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, RobotState, SampleSink};
     use wisch_io::{LoadOptions, load_task};
 
-    /// Stands elsewhere than where its motion begins.
+    /// An executor whose robot is not at the start of its motion.
     struct Elsewhere(usize);
 
     impl Executor for Elsewhere {

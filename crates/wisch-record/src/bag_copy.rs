@@ -20,7 +20,7 @@ pub(crate) struct BagCopy {
     motions: Vec<(f64, usize, Phase)>,
     /// The latest samples, which a bag that fails may lack.
     recent: VecDeque<RecordedSample>,
-    /// Whether earlier samples are no longer among them.
+    /// Whether earlier samples were dropped from memory.
     has_dropped: bool,
 }
 
@@ -62,8 +62,8 @@ impl BagCopy {
         }
     }
 
-    /// Copies what a bag holds that could not be written further, and the samples that it lacks. Returns the telemetry,
-    /// which continues without the bag.
+    /// Copies the samples of a bag whose writing failed, and adds the samples that it lacks.
+    /// Returns the telemetry, which continues without the bag.
     pub fn recover(mut self, bag: &Path) -> Result<TelemetryWriter, String> {
         // The bag ends at its fault.
         let (last, _, mut written) = self.copy(bag);

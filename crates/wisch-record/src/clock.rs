@@ -3,10 +3,10 @@
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 use wisch_memory::{Memory, local_date_and_time};
 
-/// Minimum difference of two clocks for a remark [s].
+/// Least difference of two clocks that gives a remark [s].
 const MIN_DIFFERENCE: f64 = 60.0;
 
-/// Returns the present time [s since 1970, UTC].
+/// Returns the current time [s since 1970, UTC].
 pub fn unix_time() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()

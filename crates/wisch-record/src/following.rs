@@ -36,7 +36,7 @@ const OF_FIRST_ROUND: [&str; 4] = [
     "Maximum grip error of the second hand",
     "Faults of the motion",
 ];
-/// What is not checked where no link of a robot has a collision shape.
+/// Text about the missing check of a robot whose links have no collision shapes.
 pub const NO_SHAPES: &str = "have no collision shapes: only the tool is checked for collisions, with its holder if it has one";
 
 /// Describes the movement of joints in contact and in total: of revolute ones \[rad\], and of prismatic ones \[m\] if there are any.

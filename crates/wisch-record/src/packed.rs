@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-/// Maximum size of a recording that is read [bytes].
+/// Largest size of a recording that is read [bytes].
 const MAX_BYTES: u64 = 512 << 20;
 
 /// Compresses a recording with gzip; equal recordings give equal bytes.

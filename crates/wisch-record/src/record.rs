@@ -214,7 +214,7 @@ impl RunRecord {
     pub fn on_event(&mut self, event: &RunEvent<'_>) -> ControlFlow<()> {
         // This sink only measures time and cannot fail.
         let _ = self.stages.on_event(event);
-        // A failure, and no operator, ended such a session.
+        // Such a session was ended by a failure, not by its operator.
         let is_failing = matches!(event, RunEvent::Ended(None)) && self.failure.is_some();
         if !is_failing && let Err(error) = self.page.on_event(event) {
             self.fail(internal(format!("a recording cannot be written: {error}")));

@@ -78,9 +78,9 @@ pub struct RunResults {
     pub is_unmeasured: bool,
     /// The executed rounds.
     pub rounds: Vec<FinishedRound>,
-    /// The recording for its page, as JSON lines; empty if no page is made.
+    /// The recording for the run's page, as JSON lines; empty if no page is made.
     pub recording: Vec<u8>,
-    /// The same, compressed by gzip.
+    /// The recording, compressed by gzip.
     pub packed: Vec<u8>,
 }
 

@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, Matrix3, Matrix6xX, Point3, Rotation3, Translation3, Uni
 /// The joints of a robot that move while all others are locked, as a tree of rigid bodies. Links that do not move
 /// against each other form one body.
 ///
-/// All quantities are in the axes of the world. The configuration-dependent ones are in an [`ArticulationState`], which
-/// [`Articulation::evaluate`] fills repeatedly without allocation.
+/// All quantities are in the axes of the world. Quantities that depend on the configuration are in
+/// an [`ArticulationState`], which [`Articulation::evaluate`] fills repeatedly without allocation.
 ///
 /// ```
 /// # use wisch_robot::{Articulation, RobotModel};
@@ -96,7 +96,7 @@ pub struct ArticulationState {
 struct Motion {
     angular_velocity: Vector3,
     angular_acceleration: Vector3,
-    /// Acceleration of the frame's origin minus that of free fall.
+    /// Acceleration of the frame's origin minus the gravitational acceleration.
     acceleration: Vector3,
 }
 
@@ -198,8 +198,8 @@ impl Articulation {
         self.variables.len()
     }
 
-    /// Returns the moving joint that carries a link, and the pose of the link in that joint's frame; without a joint,
-    /// in the world.
+    /// Returns the moving joint that carries a link, and the pose of the link in that joint's
+    /// frame; without such a joint, the pose in the world.
     pub fn carrier(&self, link: LinkId) -> (Option<usize>, &Pose) {
         let carrier = &self.carriers[link.index()];
         (carrier.joint, &carrier.carrier_from_link)
@@ -241,8 +241,8 @@ impl Articulation {
         }
     }
 
-    /// Computes poses, mass matrix and bias at positions `q` and velocities `qd` of the own variables. `gravity` is the
-    /// acceleration of free fall in the world [m/s²].
+    /// Computes poses, mass matrix and bias at positions `q` and velocities `qd` of the own
+    /// variables. `gravity_in_world` is the acceleration of free fall [m/s²].
     ///
     /// Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), chapters 5 and 6, in the axes of
     /// the world.
@@ -279,8 +279,9 @@ impl Articulation {
         });
     }
 
-    /// Computes the efforts of every moving joint, as if each had its own drive, for accelerations `qdd` of the own
-    /// variables in the present state. The result is in [`ArticulationState::joint_efforts`] [Nm or N].
+    /// Computes the efforts of every moving joint, as if each had its own drive, for accelerations
+    /// `qdd` of the own variables in the current state. The result is in
+    /// [`ArticulationState::joint_efforts`] [Nm or N].
     ///
     /// # Panics
     /// As [`Articulation::locate`].
@@ -294,8 +295,8 @@ impl Articulation {
         self.newton_euler(state, qd, qdd, gravity_in_world);
     }
 
-    /// Returns the mass matrix of the moving joints as if none followed others, in the present state: joints × joints
-    /// [kg m², kg m or kg].
+    /// Returns the mass matrix of the moving joints as if none followed others, in the current
+    /// state: joints × joints [kg m², kg m or kg].
     pub fn joint_mass_matrix(&self, state: &ArticulationState) -> DMatrix<f64> {
         let count = self.joints.len();
         let mut composites = state.clone();

@@ -10,8 +10,9 @@ pub const ASSUMED_DENSITY: f64 = 500.0;
 const LEAST_EDGE: f64 = 0.05;
 
 impl RobotModel {
-    /// Gives a mass to each moved link that has none, and neither have the links that it carries: that of the box around
-    /// its collision shapes and those of the links fixed to it, at [`ASSUMED_DENSITY`]. Returns these links.
+    /// Gives a mass to each moved link that has none and carries no link with a mass. It is the
+    /// mass of the box around the collision shapes of the link and of the links fixed to it, at
+    /// [`ASSUMED_DENSITY`]. Returns these links.
     ///
     /// ```
     /// use wisch_robot::{ASSUMED_DENSITY, RobotModel};

@@ -5,7 +5,7 @@ use super::{JointKind, LinkId, RobotError, RobotModel};
 use crate::geometry::{Point3, Pose, Vector3};
 use nalgebra::{Dyn, Matrix3, MatrixView, Rotation3, Translation3, U1, U6, UnitQuaternion};
 
-/// Most moving joints, and most variables, of a [`Chain`].
+/// Largest number of moving joints, and of variables, of a [`Chain`].
 pub const MAX_CHAIN: usize = 24;
 
 /// The joints between two links of a robot, with all constants computed in advance.

@@ -1,10 +1,10 @@
-//! Robots from URDF and SRDF: kinematics, dynamics, inverse kinematics, collisions, reach and path timing. This crate knows
-//! nothing of wiping.
+//! Robots from URDF and SRDF: kinematics, dynamics, inverse kinematics, collisions, reach and path
+//! timing. This crate contains nothing that is specific to wiping.
 //!
-//! A [`RobotModel`] is constant. What depends on the joint positions is a value that a function returns:
-//! [`RobotModel::forward_kinematics`] gives [`Kinematics`], which has the Jacobian; [`RobotModel::dynamics`] gives
-//! [`Dynamics`], which has the mass matrix. [`Chain`] gives the same from one link to another without any allocation, for
-//! control loops.
+//! A [`RobotModel`] is constant. Quantities that depend on the joint positions are values that
+//! functions return: [`RobotModel::forward_kinematics`] gives [`Kinematics`], which has the
+//! Jacobian; [`RobotModel::dynamics`] gives [`Dynamics`], which has the mass matrix. [`Chain`]
+//! gives the same from one link to another without any allocation, for control loops.
 //!
 //! | question | begin with |
 //! |---|---|

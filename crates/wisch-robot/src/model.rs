@@ -105,7 +105,7 @@ pub struct Joint {
     pub axis: Unit<Vector3>,
     /// How the variables determine its position.
     pub drive: Drive,
-    /// Limits; for a joint that follows several others they couple those.
+    /// Limits of the joint; the limits of a joint that follows several others couple those joints.
     pub limits: SingleJointLimits,
 }
 
@@ -165,7 +165,8 @@ impl Range {
 /// Velocity [rad/s] and acceleration [rad/s²] that are assumed for a revolute joint without these limits: those of the
 /// paper's arm (§3.4).
 pub const ASSUMED_TURN_RATES: [f64; 2] = [1.0, 10.0];
-/// The same for a prismatic joint: those of the paper's mobile base (§3.4) [m/s], [m/s²].
+/// Velocity [m/s] and acceleration [m/s²] that are assumed for a prismatic joint without these
+/// limits: those of the paper's mobile base (§3.4).
 pub const ASSUMED_SLIDE_RATES: [f64; 2] = [0.5, 1.0];
 
 /// Limits of a joint; `None` stands for unlimited.

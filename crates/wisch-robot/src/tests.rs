@@ -1,4 +1,4 @@
-//! Laws that hold for any robot, and faults of descriptions.
+//! Tests of properties that hold for any robot, and of faults in descriptions.
 
 use super::*;
 use crate::geometry::{Point3, Pose, Vector3};
@@ -466,7 +466,7 @@ proptest! {
                 q[i] += step;
                 energy(&q)
             };
-            // Of energies of some 100 J, rounded.
+            // The energies of some 100 J are rounded.
             prop_assert!((gravity[i] - (at(h) - at(-h)) / (2.0 * h)).abs() < 1e-7);
         }
     }

@@ -28,7 +28,7 @@ fn tip(robot: &RobotModel) -> wisch_robot::LinkId {
         .unwrap()
 }
 
-/// The first entries of an endless supply.
+/// Returns the first entries of an infinite sequence.
 fn first(count: usize, supply: &[f64]) -> Vec<f64> {
     supply.iter().copied().cycle().take(count).collect()
 }

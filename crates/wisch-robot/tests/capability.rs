@@ -106,7 +106,7 @@ fn build(robot: &RobotModel, config: &MapConfig) -> Result<CapabilityMap, MapErr
     CapabilityMap::build(&tool(robot, &posture), |_| true, config, |_, _, _| {})
 }
 
-/// Coarse, and so made soon.
+/// Coarse, so that the map takes little time.
 const COARSE: MapConfig = MapConfig {
     voxel: 0.12,
     frequency: 2,
@@ -138,7 +138,7 @@ fn pose(place: &Vector3, axis: &Vector3) -> Pose {
     Pose::from_parts((*place).into(), rotation.unwrap_or(over))
 }
 
-/// Of poses in a ball of 0.7 m, the share that a map and the closed form say the same of.
+/// Share of poses in a ball of 0.7 m for which a map and the closed form agree.
 fn agreement(map: &CapabilityMap, bend: f64) -> f64 {
     const POSES: usize = 20_000;
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -154,7 +154,7 @@ fn a_telescope_reaches_a_shell_and_a_cone() {
     let (_, map) = &*TELESCOPE;
     let share = agreement(map, FRAC_PI_3);
     assert!(share > 0.985, "{share}");
-    // The comparison notices a map of another telescope.
+    // The comparison detects the map of another telescope.
     let share = agreement(map, FRAC_PI_3 + 0.2);
     assert!(share < 0.97, "{share}");
 }
@@ -249,7 +249,7 @@ fn what_forward_kinematics_reaches_is_in_the_map() {
         let kinematics = robot.forward_kinematics(&q).unwrap();
         let base_from_tool = kinematics.world_from_link(tool) * tip_from_tool();
         found += u32::from(map.is_reachable(&base_from_tool));
-        // Even at the boundary half of the cell that it is in can be reached.
+        // Even at the boundary, half of the cell of a pose can be reached.
         assert!(map.reachability(&base_from_tool) > 0.1);
     }
     // A sample within a tenth of a cell of the boundary may be missed. The range of the slide is four
@@ -265,7 +265,7 @@ fn what_collides_is_not_reached() {
     let lamp = 0.25;
     let mut posture = vec![0.0; robot.dof()];
     posture[0] = lamp;
-    // Pitching down is a collision, unless the joint that is not of the chain is elsewhere.
+    // Pitching down is a collision, unless the joint outside of the chain has another position.
     let is_free = |q: &[f64]| q[0] == lamp && q[pitch] < 0.0;
     let map =
         CapabilityMap::build(&tool(&robot, &posture), is_free, &COARSE, |_, _, _| {}).unwrap();
@@ -286,8 +286,8 @@ fn what_collides_is_not_reached() {
     );
 }
 
-/// Of poses in the ball that arm6 could reach at most, the share that its map and inverse kinematics,
-/// started often and checked for collision, say the same of.
+/// Share of poses in the ball that arm6 could reach at most for which its map agrees with inverse
+/// kinematics from many starts, checked for collision.
 #[test]
 fn the_map_of_an_arm_agrees_with_inverse_kinematics() {
     let text = include_str!("../../../robots/arm6.urdf");
@@ -327,7 +327,7 @@ fn the_map_of_an_arm_agrees_with_inverse_kinematics() {
         agree += usize::from(map.is_reachable(&pose) == is_solved);
         solved += usize::from(is_solved);
     }
-    // More than twice as coarse as by default; there is something to tell apart.
+    // More than twice as coarse as by default. Some poses are solved, and some are not.
     assert!(agree * 100 > 95 * POSES, "{agree} of {POSES} agree");
     assert!(
         (POSES / 5..4 * POSES / 5).contains(&solved),

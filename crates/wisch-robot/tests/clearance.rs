@@ -74,7 +74,7 @@ fn the_ready_postures_are_free() {
     }
 }
 
-/// A model in which everything collides always would be of no use.
+/// Most postures are free: a model that always collides would satisfy other tests trivially.
 #[test]
 fn many_postures_are_free() {
     for (name, expected) in [("humanoid", 400), ("arm7", 900), ("arm6", 750)] {
@@ -112,8 +112,8 @@ fn what_may_touch_in_the_humanoid_is_what_should() {
     assert_eq!(allowed, expected);
 }
 
-/// Two rods on one post that overlap whatever they do, held by links without shapes, and a third that
-/// only sometimes meets them.
+/// Two rods on one post that overlap in every posture, on links without shapes, and a third that
+/// sometimes touches them.
 const CROWDED: &str = r#"<robot name="crowded">
   <link name="post"/>
   <link name="a"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
@@ -218,7 +218,7 @@ fn a_tool_is_checked_but_not_against_its_hand() {
     model
         .add_obstacle("crumb", world_from_tool, &ball(0.005))
         .unwrap();
-    // The hand's shape reaches beyond the TCP.
+    // The hand's shape extends beyond the TCP.
     model.allow("right_tcp", "crumb").unwrap();
     let contact = model.collision(&q, 0.0).unwrap().unwrap();
     assert_eq!(
@@ -308,7 +308,7 @@ fn names_poses_and_arrays_that_are_wrong_are_refused() {
     let foreign = model.attach("tool", far, Pose::identity(), &mesh);
     assert!(matches!(foreign, Err(RobotError::ForeignLink { .. })));
     assert_eq!(model.motion_bound(&[0.0; 3], &[0.0; 2]), f64::INFINITY);
-    // Far beyond any number that makes sense.
+    // A position far beyond any plausible one.
     for q in [[1e300; 3], [f64::MAX; 3], [-f64::MAX; 3]] {
         model.clearance(&q, f64::INFINITY).unwrap();
         model.collision(&q, 0.1).unwrap();
@@ -356,7 +356,7 @@ fn a_model_for_some_variables_leaves_out_what_they_do_not_move() {
         assert!(moved(a) != moved(b) || (moved(a) && moved(b)), "{a} {b}");
         assert!(!a.starts_with("left_") || !b.starts_with("left_"));
     }
-    // Nothing that the arm moves is lost.
+    // All bodies that the arm moves are in the model.
     let lost = all.checked_pairs().filter(|pair| !pairs.contains(pair));
     for (a, b) in lost {
         assert!(
@@ -389,7 +389,7 @@ proptest! {
         let from = posture(robot, &from);
         let to: Vec<f64> = posture(robot, &to).iter().zip(&from).map(|(b, a)| a + step * (b - a)).collect();
         let bound = at_the_table().0.motion_bound(&from, &to);
-        // The tips of every shape.
+        // The extreme points of every shape.
         let mut points: Vec<(usize, Point3)> = Vec::new();
         for (i, link) in robot.links().iter().enumerate() {
             for collision in &link.collision {
@@ -440,7 +440,7 @@ proptest! {
             if found.is_none() {
                 prop_assert!(least > margin, "{least} m, margin {margin} m");
             } else {
-                // What is called a contact comes that near between the samples.
+                // Bodies that are reported as a contact come that near between the samples.
                 let spacing = model.motion_bound(&from, &to) / 300.0;
                 prop_assert!(least <= margin + SEGMENT_RESOLUTION + spacing, "{least} m, margin {margin} m");
             }
@@ -470,7 +470,7 @@ fn obstacles_may_have_a_margin_of_their_own() {
     for (own, obstacles, is_free) in [
         (0.0, 0.9, true),
         (0.0, 1.1, false),
-        // Of its own bodies, none is as near.
+        // No two bodies of the robot itself are as near to each other.
         (1.1, 0.9, true),
     ] {
         let [own, obstacles] = [own, obstacles].map(|share: f64| share * apart.distance);
@@ -597,7 +597,7 @@ fn many_obstacles_are_as_near_as_each_by_itself() {
     );
 }
 
-/// How many links are checked against an obstacle.
+/// Number of links that are checked against an obstacle.
 fn movers(model: &CollisionModel) -> usize {
     let pairs = model.checked_pairs();
     pairs.filter(|(_, obstacle)| *obstacle == "box 0").count()

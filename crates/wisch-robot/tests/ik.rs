@@ -1,4 +1,4 @@
-//! Inverse kinematics of the shipped robots, held against the kinematics of the whole robot.
+//! Inverse kinematics of the shipped robots, compared with the kinematics of the whole robot.
 
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ const ARM7: &str = include_str!("../../../robots/arm7.urdf");
 const ARM6: &str = include_str!("../../../robots/arm6.urdf");
 const GOALS: [RotationGoal; 2] = [RotationGoal::Full, RotationGoal::AboutToolZFree];
 
-/// How much the kinematics of chain and robot may differ in rounding [m, rad].
+/// Largest difference of the kinematics of chain and robot, from rounding [m, rad].
 const ROUNDING: f64 = 1e-12;
 
 fn no_meshes(_: &str) -> Result<Vec<u8>, String> {
@@ -35,7 +35,7 @@ impl Bench {
     fn new(text: &str, base: &str, tip: &str) -> Self {
         let robot = RobotModel::from_urdf("test", text, &mut no_meshes).unwrap();
         let (base, tip) = (robot.link(base).unwrap(), robot.link(tip).unwrap());
-        // A tool off all axes, so that no order of frames goes unnoticed.
+        // A tool off all axes, so that a wrong order of frames is detected.
         let turn = UnitQuaternion::from_euler_angles(0.3, -0.2, 0.5);
         let tip_from_tool = Pose::from_parts([0.02, -0.03, 0.11].into(), turn);
         let solver = IkSolver::new(&robot, base, tip, tip_from_tool).unwrap();
@@ -59,7 +59,7 @@ impl Bench {
         ]
     }
 
-    /// Positions of the whole robot; what is not in the chain is at zero.
+    /// Positions of the whole robot; variables outside of the chain are zero.
     fn whole(&self, q: &[f64]) -> Vec<f64> {
         let mut all = vec![0.0; self.robot.dof()];
         for (&i, value) in self.solver.chain().variables().iter().zip(q) {
@@ -103,7 +103,7 @@ impl Bench {
         }
     }
 
-    /// What is wrong with a solution.
+    /// Returns the faults of a solution.
     fn faults(
         &self,
         q: &[f64],
@@ -126,7 +126,7 @@ impl Bench {
     }
 }
 
-/// Distance [m] and angle [rad] of two poses, by chords of what their axes point at.
+/// Distance [m] and angle [rad] of two poses, the angle from the differences of their axes.
 fn apart(a: &Pose, b: &Pose, goal: RotationGoal) -> (f64, f64) {
     let position = (a.translation.vector - b.translation.vector).norm();
     let chord = |axis: Vector3| (a.rotation * axis - b.rotation * axis).norm();
@@ -211,7 +211,7 @@ fn the_next_pose_of_a_motion_is_near_the_last_positions() {
         let (mut count, mut tried) = (0, 0);
         for _ in 0..200 {
             let start = bench.sample(&mut random);
-            // A motion that exists: some joints' move that takes the tool about 5 mm on.
+            // A reachable pose: a move of some joints takes the tool about 5 mm further.
             let there: Vec<f64> = start
                 .iter()
                 .map(|q| q + random.random_range(-0.004..0.004))
@@ -233,7 +233,7 @@ fn the_next_pose_of_a_motion_is_near_the_last_positions() {
                 count += usize::from(moved < 0.1);
             }
         }
-        // The rest are at singularities.
+        // The others are at singularities.
         assert!(
             count as f64 > 0.97 * f64::from(tried),
             "{}: {count} of {tried}",
@@ -323,7 +323,7 @@ fn self_motion_nears_the_posture_while_the_tool_stays() {
                 let relaxed = bench.solver.relax(goal, &start, &config).unwrap();
                 assert_eq!(bench.faults(&relaxed, &target, goal, &config), [""; 0]);
                 assert!(distance(&relaxed, &posture) < distance(&start, &posture));
-                // A second time there is next to nothing left.
+                // A second relaxation changes almost nothing.
                 let again = bench.solver.relax(goal, &relaxed, &config).unwrap();
                 let (first, second) = (distance(&start, &relaxed), distance(&relaxed, &again));
                 assert!(second < 0.01 * first, "{first} rad, then {second} rad");
@@ -366,7 +366,7 @@ fn self_motion_leaves_the_outer_parts_of_the_limits() {
     assert!(relaxed[0] < 2.7, "{relaxed:?}");
 }
 
-/// Goes round a circle of 0.1 m in steps of 5 mm, as the local method does, and ends where it began.
+/// Follows a circle of 0.1 m in steps of 5 mm with the local method, and ends at its start.
 fn round_a_circle(bench: &Bench, start: &[f64], config: &IkConfig) -> JointPositions {
     let center = bench.base_from_tool(start);
     let steps = 126;
@@ -484,7 +484,7 @@ fn wrong_input_is_an_error_with_name_value_and_limit() {
     assert!(IkSolver::new(&bench.robot, tip, base, target).is_err());
 }
 
-/// A number of any size, now and then none.
+/// A number of any size, sometimes not a number.
 fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![4 => -10.0..10.0, 1 => -1e6..1e6, 1 => prop::num::f64::ANY]
 }

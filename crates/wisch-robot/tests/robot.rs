@@ -13,7 +13,7 @@ use wisch_robot::{RobotModel, Severity, Shape};
 
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// How far from Pinocchio, relative to the greatest entry of a quantity but at least 1.
+/// Largest difference from Pinocchio, relative to the greatest entry of a quantity but at least 1.
 const TOLERANCE: f64 = 1e-9;
 
 fn path(folder: &str, file: &str) -> String {

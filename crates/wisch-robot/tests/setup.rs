@@ -365,7 +365,7 @@ fn a_ready_posture_is_free_and_inside_limits_with_the_tool_down() {
         );
         assert!(ready.limit_share > 0.1, "{name}: {}", ready.limit_share);
         assert_eq!(ready.place, "in front of the robot");
-        // The same again: it depends on the seed only.
+        // The result depends on the seed only.
         assert_eq!(ready_of(&robot, &arms[0], &quick()), (srdf, ready));
     }
 }

@@ -131,7 +131,7 @@ fn pairs_and_postures_that_harm_no_group_are_passed_over() {
         assert_eq!(found.severity, severity);
         assert!(Srdf::check("arm.srdf", &text, &robot).contains(found));
     }
-    // The posture in which the robot waits is read as it is meant, or not at all.
+    // The ready posture is read as written, or not at all.
     let ready = ARM.replace("\"home\" group=\"arm\"", "\"ready\" group=\"arm\"");
     Srdf::parse("arm.srdf", &ready.replace("joint_1", "joint_9"), &robot).unwrap_err();
 }
@@ -238,7 +238,7 @@ fn joints_one_behind_the_other_are_a_chain() {
         Srdf::parse("arm.srdf", &text, &robot).unwrap()
     };
     let whole = parse(&[1, 2, 3, 4, 5, 6, 7]);
-    // The first group wipes where none is named: a chain that is called one.
+    // Without a name, the first group wipes: the one that is declared as a chain.
     assert_eq!(whole.groups[0].name, "arm");
     let listed = whole.group("listed").unwrap();
     let chain = robot.chain(listed.base, listed.tip).unwrap();

@@ -93,7 +93,7 @@ fn deviations_are_limited() {
 
 #[test]
 fn what_is_tolerated_has_one_reading() {
-    // A floating joint holds its link where it is, and its axis is not read.
+    // A floating joint counts as fixed, and its axis is not read.
     let floating = HINGE.replace("revolute", "floating").replace("0 0 1", "");
     assert_eq!(robot(&two_links(&floating)).dof(), 0);
     // Limits in the wrong order keep the joint between them.
@@ -106,7 +106,7 @@ fn what_is_tolerated_has_one_reading() {
     ));
     let on_world = robot(&on_world);
     assert_eq!(on_world.links()[on_world.root().index()].name, "world");
-    // A joint that follows no joint of the robot moves on its own.
+    // A joint that mimics a missing joint is independent.
     let alone = HINGE.replace("</joint>", "<mimic joint=\"k\"/></joint>");
     assert_eq!(robot(&two_links(&alone)).dof(), 1);
     // A link keeps the shapes that can be read.

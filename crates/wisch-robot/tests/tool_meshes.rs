@@ -38,7 +38,7 @@ fn regular_polygon_area(radius: f64, corners: u32) -> f64 {
 #[test]
 fn committed_files_are_what_the_generator_writes() {
     for tool in shapes::all().expect("the shapes are valid") {
-        // Not assert_eq!, which would print both files.
+        // assert_eq! would print both files.
         assert!(
             tool.mesh.to_binary_stl() == committed(tool.file_name),
             "{} differs",
@@ -61,7 +61,7 @@ fn files_are_small_watertight_and_stand_on_their_contact_face() {
             "{} is off centre",
             tool.file_name
         );
-        // A broom is swept standing.
+        // A person sweeps with a broom while standing.
         let longest = if tool.file_name == "broom.stl" {
             1.5
         } else {

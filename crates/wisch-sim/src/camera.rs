@@ -13,14 +13,15 @@ use wisch::robot::{RobotError, Shape};
 
 /// Separates the random numbers of observations from those of a task with the same seed.
 const OBSERVATION_SEED: u64 = 0x6c6f_6f6b_7300_0000;
-/// Number of points round the rim of a cylinder, a capsule or a sphere.
+/// Number of points around the rim of a cylinder, a capsule or a sphere.
 const RIM: usize = 16;
 /// Number of draws after which a false alarm falls beside the surface.
 const DRAWS: usize = 10_000;
 
 /// Largest angle between the normal of a place and the camera's axis at which the place is seen [rad].
 const WIDEST_VIEW: f64 = PI / 3.0;
-/// Largest length of the edges of what hides a curved surface [m]: on the surface, straight edges are bent.
+/// Largest length of the edges of hulls that hide a curved surface [m]: on the surface, straight
+/// edges are bent.
 const HULL_STEP: f64 = 0.02;
 /// Largest number of cells of a cone's or mesh's chart that are examined.
 const MOST_CELLS: f64 = 10_000.0;
@@ -40,7 +41,8 @@ pub struct ObservationIndex {
 ///
 /// `dirt` is the ground truth, and `hidden` the convex hulls that hide it, in the xy plane of the real surface's frame
 /// [m]. Each visible grain is detected with a probability by its diameter, at a position with normal error; false alarms
-/// are Poisson distributed over the outline. What leans away from the camera by more than 60° counts as hidden.
+/// are Poisson distributed over the outline. Places that lean away from the camera by more than 60°
+/// count as hidden.
 pub fn observe(
     settings: &SimulationSettings,
     task: &Task,
@@ -54,7 +56,7 @@ pub fn observe(
     random.set_stream((index.rounds << 32) | index.number);
     let surface = &task.surface;
     let believed_from_real = surface.world_from_surface.inverse() * real.world_from_surface;
-    // What is at a point of space is taken to be on the believed surface below it.
+    // An object at a point of space appears on the believed surface below it.
     let believed = |point: Point3| surface.shape.place_below((believed_from_real * point).xy());
     let polygon = |hull: &Vec<Point2>| Polygon::new(hull.clone(), vec![]);
     let hidden_in_real = Region::new(hidden.iter().map(polygon).collect());
@@ -100,8 +102,9 @@ fn is_turned_away(shape: &SurfaceShape, place: Point2) -> bool {
     }
 }
 
-/// Returns what the believed surface shows nothing of, in its chart: `hidden`, hulls in the xy plane of the real surface's
-/// frame [m], and what leans too far away.
+/// Returns the area of the believed surface that the camera does not see, in its chart: behind
+/// `hidden`, hulls in the xy plane of the real surface's frame [m], and where the surface leans too
+/// far away.
 fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Point2>]) -> Region {
     let believed = |place: &Point2| (believed_from_real * Point3::new(place.x, place.y, 0.0)).xy();
     let hulls = hidden
@@ -129,7 +132,7 @@ fn project_hidden(surface: &Surface, believed_from_real: &Pose, hidden: &[Vec<Po
     } else {
         WIDEST_VIEW
     };
-    // A hull reaches at most to where the surface leans away.
+    // A hull is limited to the part of the surface that does not lean away.
     let widest = radius.abs() * libm::sin(view);
     let on_surface = |point: Point2| {
         let (v, u) = (along.dot(&point.coords), across.dot(&point.coords));
@@ -226,8 +229,9 @@ fn poisson(mean: f64, random: &mut ChaCha8Rng) -> usize {
     ends.take_while(|end| *end < mean).count()
 }
 
-/// Returns what the robot and its tool hide from a camera straight above the real surface: the convex hull of each
-/// solid that rises above it, in the xy plane of that surface's frame [m].
+/// Returns the hulls that hide the real surface from a camera straight above it: the convex hull of
+/// each solid of robot and tool that rises above the surface, in the xy plane of that surface's
+/// frame [m].
 ///
 /// `positions` are the robot's variables [rad or m], `tool` the vertices of the tool's parts in its own frame [m].
 ///

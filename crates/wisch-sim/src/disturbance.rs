@@ -7,11 +7,11 @@ use wisch::geometry::Vector3;
 /// An instant of a round's motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Moment {
-    /// So long after its start \[s\].
+    /// Time since the start of the motion \[s\].
     Seconds(f64),
-    /// When this share of its duration has passed, in [0, 1].
+    /// Time at which this share of the motion's duration has passed, in [0, 1].
     Share(f64),
-    /// During the stroke of this number, counted from 1: when half of its time has passed.
+    /// Middle of the time of this stroke, counted from 1.
     Stroke(usize),
 }
 

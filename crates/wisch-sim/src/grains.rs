@@ -1,11 +1,13 @@
-//! Physics of the dirt: grains that lie on the surface, that the tool's underside grips, and that fall off edges.
+//! Physics of the dirt: grains lie on the surface, are gripped by the tool's underside, and fall
+//! off edges.
 //!
 //! The model assumes the following.
-//! - The underside of a tool closes round a grain instead of riding on it, so grains do not lift the tool.
-//! - The tool takes a grain along where its pressure at the grain exceeds the grain's own threshold. An absorbing tool
-//!   takes it up; a pushing tool moves it.
-//! - The tool's side pushes a grain that it meets ahead of it. The underside holds a grain that the tool was set down
-//!   on.
+//! - The underside of a tool closes around a grain instead of riding on it, so grains do not lift
+//!   the tool.
+//! - The tool moves or absorbs a grain if its pressure at the grain exceeds the grain's own
+//!   threshold: an absorbing tool removes the grain, a pushing tool moves it.
+//! - The tool's side pushes a grain ahead of it. If the tool was set down on a grain, the underside
+//!   holds the grain.
 //! - Grains do not roll.
 //! - Pressure is that of the tool's compliance, uneven where the tool is tilted. For a hovering tool, the ratio of its
 //!   gap to the clearance over the grain replaces the pressure.
@@ -39,11 +41,11 @@ const RUBBING_SPEED: f64 = 0.01;
 
 /// Friction that holds the drops of a film, over the tangent of the slope [1].
 const FILM_FRICTION: f64 = 1.5;
-/// Time after which a film is moved [s].
+/// Longest time between two steps of a liquid film [s].
 const FILM_STEP: f64 = 0.05;
-/// Speed from which a grain slides [m/s].
+/// Speed above which a grain counts as sliding [m/s].
 const SLIDING_SPEED: f64 = 5e-3;
-/// Smallest friction between tool and surface over which that of a grain is given [1].
+/// Smallest friction between tool and surface by which the friction of a grain is divided [1].
 const LEAST_FRICTION: f64 = 1e-3;
 
 /// A grain's body, and the tool's grip on it.
@@ -71,7 +73,7 @@ pub(super) struct GrainBodies {
     bodies: Vec<Option<GrainBody>>,
     /// Drag on the tool for every grain that it pushes [N]: friction of the dirt that the grain stands for.
     drag: f64,
-    /// Whether grains that the tool pushes is_resisting it.
+    /// Whether grains that the tool pushes resist it.
     is_resisting: bool,
     effect: Effect,
     reach: f64,
@@ -79,7 +81,8 @@ pub(super) struct GrainBodies {
     max_diameter: f64,
     /// Friction of grains at rest and sliding, over that of the surface [1]; `None` if it is assumed, and the same for both.
     declared_friction: Option<[f64; 2]>,
-    /// The film of which the grains are drops, the mean distance of all drops [m], and the time since they were moved [s].
+    /// The film whose drops are the grains, the mean distance of all drops [m], and the time since
+    /// they were last moved [s].
     film: Option<(FilmFlow, f64, f64)>,
 }
 
@@ -233,15 +236,15 @@ impl GrainBodies {
                 let friction = held_back.clamp(-SIDE_FRICTION * push, SIDE_FRICTION * push);
                 push * outward + friction * sideways
             };
-            // The force acts along the surface; upwards the tool gives way.
+            // The force acts along the surface; in the direction of the normal, the tool yields.
             let along = force - normal * normal.dot(&force);
             body.reset_forces(true);
             body.add_force(vector(&along), true);
             if !self.is_resisting {
                 continue;
             }
-            // The tool feels the reaction of the force that moves the grain, and the friction of the dirt that the
-            // grain stands for, against the tool's motion.
+            // The reaction of the force that moves the grain acts on the tool, and so does the
+            // friction of the dirt that the grain stands for, against the tool's motion.
             let moving = velocity - normal * normal.dot(&velocity);
             let rubbing = moving * (self.drag / moving.norm().max(RUBBING_SPEED));
             plant.resist(&-(along + rubbing), &at);

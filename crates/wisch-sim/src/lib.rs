@@ -1,5 +1,5 @@
-//! Simulated execution of wiping motions: an [`Executor`](wisch::run::Executor) that stands in for the real robot;
-//! paper §4.1.
+//! Simulated execution of wiping motions: an [`Executor`](wisch::run::Executor) in place of the
+//! real robot; paper §4.1.
 //!
 //! The robot is a multibody under gravity. The controller of [`wisch::control`] drives torso and arm by torques alone.
 //! Position drives hold the base, and arms that do not wipe. The sensors are those of a real robot: joint positions,

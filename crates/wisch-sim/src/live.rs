@@ -8,7 +8,8 @@ use wisch::run::{Ending, MotionOrder, SampleSink, StopCause};
 
 /// A simulated arm that follows setpoints from one control period to the next, as a robot's controller does.
 ///
-/// It stands in for a robot that other programs command. The same setpoints give the same result, bit for bit.
+/// It replaces a robot that other programs command. The same setpoints give the same result, bit
+/// for bit.
 pub struct LiveArm<'a> {
     simulation: Simulation<'a>,
     period: f64,
@@ -18,7 +19,7 @@ pub struct LiveArm<'a> {
 
 impl<'a> LiveArm<'a> {
     /// Returns the arm at rest at the start of the motion of `order`, or in its ready posture if the motion is empty. The
-    /// motion is not executed, and nobody pushes.
+    /// motion is not executed, and no person pushes.
     ///
     /// # Errors
     /// Those of [`execute`](crate::execute).
@@ -41,7 +42,8 @@ impl<'a> LiveArm<'a> {
     /// period. Returns the reason if the robot stops itself, instead of advancing the world.
     ///
     /// - `setpoint`: all n variables of the robot.
-    /// - `press_share`: how far the tool is pressed into the surface, from 0 (not at all) to 1 (with the task's press force).
+    /// - `press_share`: share of the full depth to which the tool is commanded into the surface,
+    ///   from 0 to 1; at 1, it presses with the task's press force.
     ///
     /// # Errors
     /// If the simulation diverges.

@@ -23,7 +23,8 @@ use wisch::run::{
 const MAX_VELOCITY: f64 = 100.0;
 /// Least speed of the commanded tool along the surface at which its contact force counts as sliding force [m/s].
 const MIN_SLIDING_SPEED: f64 = 0.01;
-/// Contact forces count again this long after the tool began to slide, and after a push [s].
+/// Time after which contact forces count again, once the tool has begun to slide or a push has
+/// ended [s].
 const SETTLING_TIME: f64 = 0.3;
 /// Streams of random numbers: force noise and encoder noise.
 const NOISE_STREAM: u64 = 0x6e6f_6973;
@@ -102,7 +103,8 @@ pub(crate) struct Simulation<'a> {
     encoder_random: ChaCha8Rng,
     /// Index of the current motion.
     motion: usize,
-    /// Setpoint of the present period, in place of the motion: state of all variables, and the share of the press.
+    /// Setpoint of the current period, in place of the motion: state of all variables, and the
+    /// share of the full press depth.
     setpoint: Option<(TrajectorySample, f64)>,
     sliding_since: Option<f64>,
     time: f64,
@@ -209,8 +211,8 @@ impl<'a> Simulation<'a> {
         self.friction_changes.clear();
     }
 
-    /// Lets the next periods go toward a setpoint instead of the motion. `press_share`: how far the tool is pressed into
-    /// the surface, 0 to 1.
+    /// Makes the next periods follow a setpoint instead of the motion. `press_share`: share of the
+    /// full press into the surface, 0 to 1.
     pub(crate) fn head_for(&mut self, setpoint: &TrajectorySample, press_share: f64) {
         self.setpoint = Some((setpoint.clone(), press_share));
     }
@@ -335,7 +337,7 @@ impl<'a> Simulation<'a> {
         command.ok_or(SimulationError::NoInertia { time })
     }
 
-    /// Returns why the robot must stop itself, if it must.
+    /// Returns the reason why the robot must stop itself; `None` if it need not.
     fn stop_cause(&self, command: &ControlCommand) -> Option<StopCause> {
         let distance = command.error().norm();
         if distance > MAX_TOOL_ERROR {
@@ -471,7 +473,8 @@ impl<'a> Simulation<'a> {
                 let moved = Vector3::new(column[0], column[1], column[2]);
                 yielding += qd * moved.dot(&direction);
             }
-            // A hand pushes the less, the faster the tool yields: F = F₀ (1 − v / v_hand), between 0 and F₀.
+            // The faster the tool yields, the smaller is the force of the hand: F = F₀ (1 − v /
+            // v_hand), between 0 and F₀.
             let share = (1.0 - yielding / push.hand_speed).clamp(0.0, 1.0);
             self.plant.push(&(push.force * share), tool);
             is_touched |= share > 0.0;
@@ -481,7 +484,7 @@ impl<'a> Simulation<'a> {
         is_pushed
     }
 
-    /// The phase of the present motion. Toward setpoints, an arm that presses wipes.
+    /// The phase of the current motion. While an arm follows setpoints, it wipes if it presses.
     fn phase(&self) -> Option<Phase> {
         match &self.setpoint {
             Some((_, share)) if *share > 0.0 => Some(Phase::Wipe(0)),

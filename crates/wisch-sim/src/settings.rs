@@ -48,7 +48,7 @@ pub struct SimulationSettings {
     pub max_bodies: usize,
     /// Where the dirt lies at the start.
     pub dirt: TrueDirt,
-    /// Number of grains, where their positions are drawn.
+    /// Number of grains, if their positions are drawn.
     pub count: GrainCount,
     /// Mass of the dirt that each grain stands for \[kg\]; `None` stands for the grain alone.
     pub grain_mass: Option<f64>,
@@ -66,7 +66,7 @@ pub struct SimulationSettings {
     pub camera: Option<Camera>,
 }
 
-/// How the real tool differs from the believed one.
+/// Differences of the real tool from the believed one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RealTool {
     /// Real stiffness over the believed stiffness \[1\].
@@ -146,9 +146,9 @@ impl Waviness {
 /// A camera above the surface, along its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// How reliably and how precisely it detects grains.
+    /// Detection rate and noise of the camera.
     pub sensor: SensorModel,
-    /// Whether the robot's links and the tool hide what lies under them.
+    /// Whether the robot's links and the tool hide the surface under them.
     pub arm_hides: bool,
 }
 
@@ -300,6 +300,6 @@ pub struct Schedule {
     pub pushes: Vec<(f64, Push)>,
     /// Changes of friction: start \[s\] and new coefficient \[1\], by time.
     pub friction_changes: Vec<(f64, f64)>,
-    /// Descriptions of the disturbances that the motion is too short for.
+    /// Descriptions of the disturbances that do not happen because the motion ends before them.
     pub missed: Vec<String>,
 }

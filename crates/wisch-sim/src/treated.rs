@@ -1,4 +1,5 @@
-//! Ground truth of a treated surface: how often the real tool slides over each of its points, and how much it rubs off.
+//! Ground truth of a treated surface: number of passes of the real tool over each point, and depth
+//! of wear.
 //!
 //! A pass counts where the true pressure exceeds the point's own threshold. Wear follows Preston's law: depth = k ·
 //! pressure · sliding distance (Preston 1927).
@@ -8,7 +9,7 @@ use super::plant::{HeldTool, Plant};
 use wisch::geometry::{Point2, Point3};
 use wisch::represent::{Fate, Task, Treatment};
 
-/// How the real tool treats the points of the real surface.
+/// Treatment of the points of the real surface by the real tool.
 pub(super) struct TreatedSurface {
     /// Sliding distance over a point that counts as one pass [m].
     pass_length: f64,

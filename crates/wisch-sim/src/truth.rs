@@ -55,7 +55,7 @@ impl Spread {
 pub struct GroundTruth {
     /// The dirt after the execution.
     pub dirt: Dirt,
-    /// Normal force of the surface on the tool while it slides and nobody pushes \[N\].
+    /// Normal force of the surface on the tool while it slides and no person pushes \[N\].
     pub contact_force: Spread,
     /// Largest distance of the tool centre point from the real surface, along its normal, at the same times \[m\].
     pub max_plane_distance: f64,
@@ -63,17 +63,17 @@ pub struct GroundTruth {
     pub max_controller_force: f64,
     /// Share of the sliding time without contact \[1\].
     pub lost_share: f64,
-    /// Largest distance along the surface between commanded and true tool position, while the tool slides and nobody
-    /// pushes \[m\].
+    /// Largest distance along the surface between commanded and true tool position, while the tool
+    /// slides and no person pushes \[m\].
     pub max_lateral_error: f64,
     /// Begin and end of every push \[s\], by time. A push counts only while the hand touches the tool, not when the tool
     /// outruns it.
     pub pushes: Vec<[f64; 2]>,
     /// Begin and end of every contact of robot or tool with something other than the surface \[s\], by time.
     pub obstructions: Vec<[f64; 2]>,
-    /// What robot and tool hide from the camera after the execution: convex hulls in the xy plane of
-    /// the real surface's frame \[m\].
-    /// Empty without a camera, or with one that the arm does not hide anything from.
+    /// Areas that robot and tool hide from the camera after the execution: convex hulls in the xy
+    /// plane of the real surface's frame \[m\]. Empty without a camera, or if the arm does not hide
+    /// anything from it.
     pub hidden: Vec<Vec<Point2>>,
 }
 

@@ -9,7 +9,8 @@ use wisch::represent::{
 };
 use wisch::run::{Execution, Executor, ExecutorError, MotionOrder, SampleSink};
 
-/// A simulated world with a surface, dirt and pushes of its own, which lasts over the rounds of a session.
+/// A simulated world with its own surface, dirt and pushes, which lasts over the rounds of a
+/// session.
 ///
 /// It executes every motion on the dirt that the previous motion left.
 #[derive(Debug, Clone)]
@@ -26,7 +27,8 @@ pub struct World {
 }
 
 impl World {
-    /// Creates a world on `surface`, with dirt drawn from `settings` and `seed`. The world knows nothing of a task.
+    /// Creates a world on `surface`, with dirt drawn from `settings` and `seed`. The world does not
+    /// depend on a task.
     ///
     /// # Errors
     /// If the dirt that the settings describe does not fit on the surface.

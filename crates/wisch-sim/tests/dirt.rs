@@ -1,4 +1,5 @@
-//! Where the dirt of a world lies: as the task sets it, independent of the belief, by separate random numbers.
+//! The true dirt of a world: as the task sets it, independent of the belief, by separate random
+//! numbers.
 
 use std::path::Path;
 use wisch::geometry::{Point2, Vector2};
@@ -10,7 +11,7 @@ use wisch_sim::{
 };
 use wisch_testkit::scenario;
 
-/// The board, with settings laid over its file.
+/// The board, with settings that override those of its file.
 fn board(seed: u64, settings: &[(&str, &str)]) -> LoadedTask {
     let text = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let options = LoadOptions {
@@ -25,7 +26,7 @@ fn settings(dirt: &str) -> SimulationSettings {
     board(1, &[("execution.dirt", dirt)]).simulation
 }
 
-/// Where the grains lie under these settings, on the board.
+/// Positions of the grains on the board under these settings.
 fn drawn(settings: &SimulationSettings, seed: u64) -> Result<Vec<Point2>, SimulationError> {
     let dirt = Dirt::draw(&WorkSurface::from_task(&board(1, &[]).task), settings, seed)?;
     let grains = dirt.grains().iter();
@@ -59,7 +60,7 @@ fn every_shipped_scenario_draws_its_dirt_apart() {
             continue;
         }
         let loaded = load_task(&path, &LoadOptions::default()).unwrap();
-        // What is treated is all of the surface, not dirt that lies somewhere on it.
+        // A treated task has points of the whole surface instead of dirt.
         if loaded.task.action.treats() {
             continue;
         }
@@ -85,7 +86,7 @@ fn the_amount_of_dirt_is_about_as_believed_or_exactly_as_set() {
     assert!((deviation - 0.2).abs() < 0.04, "{deviation}");
     settings.count = GrainCount::Exactly(33);
     assert_eq!(drawn(&settings, 1).unwrap().len(), 33);
-    // As many as can be simulated, or none.
+    // With more grains than can be simulated, none are.
     settings.count = GrainCount::Exactly(401);
     assert_eq!(drawn(&settings, 1).unwrap(), []);
     assert_eq!(places("{ source = \"edge\", count = 12 }", 1).len(), 12);
@@ -107,7 +108,7 @@ fn dirt_lies_where_its_source_puts_it() {
         let inside = (0.20 - place.x.abs()).min(0.14 - place.y.abs());
         assert!((0.0..=0.02).contains(&inside), "{place}");
     }
-    // What is left out is drawn, and is other in another world.
+    // Missing parameters are drawn at random, differently with another seed.
     for drawn in ["{ source = \"stripe\" }", "{ source = \"clusters\" }"] {
         assert_eq!(places(drawn, 1), places(drawn, 1));
         assert_ne!(places(drawn, 1), places(drawn, 2));
@@ -227,7 +228,7 @@ fn a_mismatch_is_laid_over_the_settings() {
     };
     let found = drawn(&settings.with_mismatch(&heaped), 1).unwrap();
     assert!(found.iter().all(|place| place.coords.norm() < 0.06));
-    // Random worlds are of every kind.
+    // Random worlds have dirt of every kind.
     let random: Vec<_> = (1..=40).map(|seed| Mismatch::draw(seed).dirt).collect();
     for kind in [TrueDirt::Uniform, TrueDirt::Clusters(None)] {
         assert!(random.contains(&Some(kind)));

@@ -1,4 +1,4 @@
-//! Execution in the simulated world: what a wipe does by itself, under disturbances, and to real dirt.
+//! Execution in the simulated world: undisturbed, under disturbances, and with true dirt.
 
 mod body;
 mod curved;
@@ -24,7 +24,7 @@ fn an_undisturbed_wipe_presses_as_required_and_stays_in_its_plane() {
     assert_eq!(faults(&log), [] as [String; 0]);
     assert_eq!(log.executed.ending, Ending::Complete);
     assert!((log.executed.duration - wiping.followed.duration()).abs() < 2e-3);
-    // The wipe lasts long enough for its means to mean something.
+    // There are enough samples for a mean.
     assert!(log.truth.contact_force.count() > 200);
 }
 
@@ -74,8 +74,9 @@ fn what_is_measured_is_where_the_joints_put_the_tool_once_per_period() {
 
 #[test]
 fn the_measured_force_is_that_of_pressing_and_of_friction() {
-    // Along the surface Coulomb's friction stands against the motion. The controller's force is cut to its
-    // limit F as a whole: what overcomes friction is missing across the surface, N² + (μ N)² = F².
+    // Coulomb friction acts against the motion along the surface. The controller limits the norm of
+    // its whole force to F, so that the force against friction is missing along the normal:
+    // N² + (μ N)² = F².
     let mut wiping = Wiping::of_one_stroke(Action::Absorb);
     for friction in [0.2, 0.6] {
         wiping.settings.friction = friction;
@@ -141,7 +142,7 @@ fn a_rigid_tool_wipes_and_is_understood() {
     assert!(found.contact_share > Some(0.8), "{:?}", found.contact_share);
 }
 
-/// When the surface first pushes back harder than this [N]: in seconds.
+/// Returns the time at which the force of the surface first exceeds `force` \[N\], in seconds.
 fn touched(log: &wiping::Log, force: f64) -> Option<f64> {
     let first = log.rows.iter().find(|row| row.external.z > force);
     first.map(|row| row.time)
@@ -161,7 +162,7 @@ fn the_same_seed_gives_the_same_bytes_and_another_one_other_noise() {
     wiping.seed += 1;
     let other = wiping.execute();
     assert_ne!(first.bytes(), other.bytes());
-    // Noise is what is measured of the world, not in it.
+    // Noise is added to the measurements, not to the world.
     assert_eq!(first.executed, other.executed);
     assert_eq!(first.truth, other.truth);
 }

@@ -1,4 +1,4 @@
-//! The data by which truth could reach a plan or an interpretation, followed: none does.
+//! The ground truth reaches neither the plan nor the interpretation.
 
 use crate::execute::{Wiping, as_believed};
 use std::ops::ControlFlow;
@@ -11,7 +11,7 @@ use wisch::run::{RunConfig, SampleSink, Session};
 use wisch_sim::{Dirt, SimulationSettings, TrueDirt, WorkSurface, World};
 use wisch_testkit::{arm7, board};
 
-/// A world, and what its sink was given of the first round.
+/// A world, and the samples of the first round that its sink received.
 struct Heard {
     world: World,
     rounds: Vec<RecordedRound>,
@@ -81,7 +81,7 @@ fn other_dirt_changes_no_plan_no_motion_and_no_interpretation_of_the_same_log() 
     assert_eq!(motions[0], motions[1]);
     assert_ne!(even.world.truth()[0].dirt, edge.truth()[0].dirt);
 
-    // The log of one world, interpreted in front of the other.
+    // The log of one world, interpreted in a session with the other.
     let mut recording = Recording::new(None, even.rounds, world(TrueDirt::Edge(0.01)));
     let again = rounds(&mut recording);
     let understood = [&again, &of_even].map(|rounds| format!("{:?}", rounds[0].interpretation));

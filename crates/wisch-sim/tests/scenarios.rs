@@ -1,4 +1,4 @@
-//! Shipped scenarios, executed: what is estimated by touch is held against what the world knows.
+//! Shipped scenarios, executed: estimates by touch against the ground truth.
 
 use std::ops::ControlFlow;
 use wisch::interpret::EventKind;
@@ -8,15 +8,16 @@ use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{GroundTruth, Moment, SimulationSettings, WorkSurface, World};
 use wisch_testkit::{arm7, by_density, humanoid, run_config, scenario};
 
-/// How far the estimate may be off the truth where it is narrower than that [1]; of 29 rounds on the board the worst was off by 0.092, of those since by 0.119.
+/// Largest error of an estimate whose interval is narrower than this [1]; in 29 rounds on the board
+/// the largest error was 0.092, in later ones 0.119.
 const ESTIMATE: f64 = 0.12;
-/// How far beyond the 90 % interval the truth may be [1].
+/// Largest distance of the true performance from the 90 % interval [1].
 const BESIDE: f64 = 0.05;
 
-/// How late or early a push may be detected [s].
+/// Largest error of the detected begin or end of a push [s].
 const FELT: f64 = 0.05;
 
-/// A round, what was true of it, and the true performance [1].
+/// A round, its ground truth, and the true performance [1].
 type Executed = (Round, GroundTruth, f64);
 
 fn settings(loaded: &LoadedTask) -> SimulationSettings {
@@ -51,13 +52,13 @@ fn executed(name: &str, dirt: &str, most: usize) -> (LoadedTask, Vec<Executed>) 
     (loaded, rounds)
 }
 
-/// What is wrong with a round, whatever becomes of its dirt.
+/// Returns the faults of a round, for any dirt.
 fn faults(number: usize, (round, truth, performance): &Executed) -> Vec<String> {
     let estimate = &round.interpretation.performance;
-    // How well is estimated what happens while somebody pushes takes many worlds to say: an evaluation, no test.
+    // The quality of estimates during a push needs an evaluation over many worlds.
     let is_pushed = !truth.pushes.is_empty();
     let limit = round.motion.task.interaction.press_force_n;
-    // What touch alone cannot tell is said by the interval.
+    // Where touch alone cannot decide, the interval is wide.
     let is_wide = estimate.high - estimate.low > ESTIMATE;
     let interval = estimate.low - BESIDE..=estimate.high + BESIDE;
     let checks = [
@@ -98,14 +99,14 @@ fn all_faults(rounds: &[Executed]) -> Vec<String> {
         .collect()
 }
 
-/// When collisions were detected [s].
+/// Begin and end of each detected collision [s].
 fn collisions(round: &Round) -> Vec<[f64; 2]> {
     let events = round.interpretation.events.iter();
     let felt = events.filter(|event| event.kind == EventKind::Push);
     felt.map(|event| [event.start, event.end]).collect()
 }
 
-/// About pushes, and what is inferred of them: the dirt lies where it is believed to lie.
+/// A test of pushes and of their interpretation, with dirt at its believed locations.
 #[test]
 fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
     let (loaded, rounds) = executed("failure-human-push", "as_believed", 4);
@@ -134,11 +135,11 @@ fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
             "felt at {felt} s, pushed at {real} s"
         );
     }
-    // What the hand should do, and when it touched the tool.
+    // The hand touched the tool in the first round, and in none of the later ones.
     let touched = rounds.iter().map(|(_, truth, _)| truth.pushes.len());
     assert!(touched.clone().next() >= Some(2) && touched.skip(1).all(|touches| touches == 0));
     let (last, _, after) = &rounds[rounds.len() - 1];
-    // By touch alone it may not be known that the goal is met, and rounds may end before it is clear that it will not be.
+    // Touch alone may not show that the goal is met, and the rounds may be used up before.
     let ended = [Verdict::GoalMet, Verdict::UnknowableByTouch];
     let is_used_up = rounds.len() == 4 && last.verdict == Verdict::Again;
     assert!(

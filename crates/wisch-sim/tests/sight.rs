@@ -1,4 +1,4 @@
-//! What a camera tells of the real dirt, and what of it no robot can know.
+//! Observations by a camera: detections of the true dirt, and errors that a robot cannot know.
 
 use crate::execute::Wiping;
 use wisch::geometry::{Point2, Polygon, Pose, Region};
@@ -10,7 +10,7 @@ use wisch_sim::{
 };
 use wisch_testkit::board;
 
-/// A camera that sees everything exactly.
+/// A camera that detects all dirt at its exact position.
 const PERFECT: SensorModel = SensorModel {
     detection: 1.0,
     half_size_m: 0.0,
@@ -162,7 +162,7 @@ fn the_arm_and_the_tool_hide_what_lies_under_them() {
     };
     let (hulls, tool) = hidden(true);
     assert!(hulls.contains(tool));
-    // The robot's base is far from the board, the air beyond the board is free.
+    // The robot's base is far from the board, and a point beyond the board is not hidden.
     assert!(!hulls.contains(Point2::new(1.0, 1.0)));
     let (hulls, _) = hidden(false);
     assert_eq!(hulls.polygons(), []);

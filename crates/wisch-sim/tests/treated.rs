@@ -1,4 +1,5 @@
-//! The shipped scenarios that treat a surface or hover over it, executed: what is estimated is held against what the world knows.
+//! Shipped scenarios that treat a surface or hover over it, executed: estimates against the ground
+//! truth.
 
 use std::ops::ControlFlow;
 use wisch::interpret::Doubt;
@@ -9,7 +10,7 @@ use wisch_io::{LoadOptions, LoadedTask, load_task};
 use wisch_sim::{GroundTruth, WorkSurface, World};
 use wisch_testkit::{humanoid, run_config, scenario};
 
-/// The first round of a scenario, what was true of it, and the true performance [1].
+/// The first round of a scenario, its ground truth, and the true performance [1].
 fn first_round(name: &str, settings: &[(&str, &str)]) -> (LoadedTask, Round, GroundTruth, f64) {
     let given = settings.iter();
     let options = LoadOptions {
@@ -51,7 +52,7 @@ fn a_plate_is_polished_and_touch_knows_it() {
     let shortest = 0.50 * 0.31 / task.tool.area_of_effect.y * 2.0;
     let way = round.motion.plan.contact_distance() / shortest;
     assert!(way <= 1.3, "{way}");
-    // By Preston's law with the force that was asked for.
+    // By Preston's law with the press force of the task.
     let per_pass = task.depth_per_pass();
     let [mean, _] = Treatment::spread(&truth.dirt.particles().unwrap());
     let expected = mean * per_pass.unwrap();
@@ -64,7 +65,7 @@ fn a_plate_is_polished_and_touch_knows_it() {
 
 #[test]
 fn a_pad_that_is_hardly_pressed_polishes_little() {
-    // Most places want more pressure than there is.
+    // Most points need a higher pressure than the pad exerts.
     let hard = [("execution.mu", "0.5"), ("execution.sigma", "0.2")];
     let (_, _, _, performance) = first_round("polish-plate", &hard);
     assert!(performance < 0.5, "{performance}");
@@ -106,12 +107,12 @@ fn a_panel_is_painted_evenly_and_touch_knows_it() {
 fn a_nozzle_that_hovers_takes_sand_up_without_a_touch() {
     let (_, round, truth, performance) = first_round("vacuum-panel", &[]);
     assert!(performance >= 0.8, "{performance}");
-    // What its plate weighs on its springs is no touch.
+    // The weight of the nozzle's plate on its springs is no contact force.
     assert!(truth.contact_force.mean() < 0.01);
     assert!(round.interpretation.plane.is_none());
     let estimate = round.interpretation.performance;
     assert!((estimate.low..=estimate.high).contains(&performance));
-    // Three times as high as believed, it takes up less, and the force does not show that.
+    // At three times the believed gap, it takes up less, and the force does not show that.
     let lower = [("execution.surface_shift_m", "[0.0, 0.0, -0.006]")];
     let (_, round, _, less) = first_round("vacuum-panel", &lower);
     assert!(less < performance - 0.2, "{less}");

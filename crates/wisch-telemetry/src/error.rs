@@ -4,7 +4,7 @@ use super::quantity::QuantityError;
 use super::ros2::{MessageError, SchemaError};
 use std::path::{Path, PathBuf};
 
-/// Why telemetry could not be written.
+/// The reason why telemetry could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// The operating system refuses an operation.
@@ -80,7 +80,7 @@ impl WriteError {
     }
 }
 
-/// Why a log cannot be read.
+/// The reason why a log cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[error("{file}: {fault}")]
 pub struct ReadError {
@@ -244,7 +244,7 @@ pub enum ReadFault {
         /// The frame of the first message, and the first other one.
         frames: [String; 2],
     },
-    /// The times go back, and go on from there through times that were there before.
+    /// The times jump back, and then repeat times that occurred before.
     #[error(
         "{place}: the clock was set back from {last} s to {time} s: the log holds other values for the same times"
     )]
@@ -299,15 +299,15 @@ pub enum ReadFault {
         /// Every other topic, with the reason.
         unread: Vec<String>,
     },
-    /// The frame that is named as the tool's never moves.
+    /// The frame that an option names as the tool's never moves.
     #[error("frame {frame:?} never moves in {reference:?}; name the frame of a tool that moves")]
     StillFrame {
         /// Name of the frame.
         frame: String,
-        /// The frame that it does not move in.
+        /// The frame in which it does not move.
         reference: String,
     },
-    /// A single packed message cannot be unpacked.
+    /// A message that was packed by itself cannot be unpacked.
     #[error("topic {topic}: a packed message cannot be unpacked: {error}")]
     PackedMessage {
         /// Name of the topic.

@@ -1,24 +1,28 @@
-//! Forces and poses that stay the same for long, because their sensor or its driver has stopped.
+//! Forces and poses that do not change for a long time, because their sensor or its driver has
+//! stopped.
 
 use std::collections::BTreeMap;
 use wisch::geometry::{Pose, Vector3};
 
-/// Longest time for which a working sensor repeats a force other than zero \[ns\], and zero, if it does so once: a sensor with
-/// a dead band returns zero while it rests.
+/// Longest time for which a working sensor repeats a force \[ns\]: a force other than zero; and
+/// zero, if the sensor repeats it only once. A sensor with a dead band returns zero while it is
+/// unloaded.
 const LONGEST_REPEAT: i64 = 500_000_000;
 const LONGEST_ZERO: i64 = 2_000_000_000;
 /// Least number of equal forces in this time.
 const LEAST_REPEATS: usize = 10;
-/// Least share of the other forces that differ from the one before: a log without noise shows no stopped sensor \[1\].
+/// Least share of the remaining forces that differ from the previous force \[1\]: in a log without
+/// noise, a stopped sensor cannot be detected.
 const LEAST_CHANGES: f64 = 0.8;
-/// Least share of the log that they have \[1\].
+/// Least share of the remaining forces in the log \[1\].
 const LEAST_OTHERS: f64 = 0.3;
-/// Longest time for which a pose repeats exactly while the force changes \[ns\]; least distance \[m\] and angle \[rad\] at which
-/// it goes on elsewhere.
+/// Longest time for which a pose repeats exactly while the force changes \[ns\]; least distance
+/// \[m\] and angle \[rad\] between this pose and the next one.
 const LONGEST_STILL: i64 = 1_000_000_000;
 const ELSEWHERE: [f64; 2] = [5e-3, 0.05];
-/// Fewest forces that are averaged, and the least change of their means: in standard errors, and as a share of that over the
-/// whole log, for a pose that goes on elsewhere and for one that repeats until the end \[1\].
+/// Least number of forces that are averaged. And the least change of their means: in standard
+/// errors, and as a share of the change over the whole log, for a pose that continues at another
+/// place and for a pose that repeats until the end \[1\].
 const AVERAGED: usize = 10;
 const LEAST_ERRORS: f64 = 8.0;
 const LEAST_FORCE_CHANGE: [f64; 2] = [0.3, 0.6];
@@ -26,8 +30,8 @@ const LEAST_FORCE_CHANGE: [f64; 2] = [0.3, 0.6];
 /// Returns the intervals in which the pose repeats exactly although the force changes \[ns\], from the first repetition to the
 /// last: their source has stopped.
 ///
-/// The pose of a robot at rest may repeat as well. But a robot that moves on does so from where it rested, and what a resting
-/// tool measures changes little.
+/// The pose of a robot at rest may repeat as well. But such a robot continues from the pose at
+/// which it rested, and the force on a resting tool changes little.
 pub(crate) fn find_frozen_poses(poses: &[(i64, Pose)], forces: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
     let error = LEAST_ERRORS * standard_error(forces);
     let all = force_change(forces);
@@ -66,7 +70,7 @@ fn standard_error(forces: &[(i64, Vector3)]) -> f64 {
         .map(|pair| (pair[1].1 - pair[0].1).norm())
         .collect();
     steps.sort_unstable_by(f64::total_cmp);
-    // The median distance of two normal vectors is 2.175 standard deviations of a part of one.
+    // The median distance of two normal vectors is 2.175 standard deviations of a component.
     let noise = steps.get(steps.len() / 2).copied().unwrap_or(0.0) / 2.175;
     noise / (AVERAGED as f64).sqrt()
 }
@@ -87,8 +91,9 @@ fn force_change(forces: &[(i64, Vector3)]) -> f64 {
 /// Returns the intervals in which a force repeats for longer than a working sensor repeats it \[ns\], from the first
 /// repetition to the last; none for a log whose forces have no noise.
 ///
-/// A sensor that stops has worked before, and stops at a value of its noise or at zero. A force that the log begins with, or to
-/// which it returns, is that of a quiet sensor with a coarse resolution or a dead band.
+/// A sensor that stops has worked before, and stops at a value of its noise or at zero. A force
+/// with which the log begins, or to which it returns, is that of an unloaded sensor with a coarse
+/// resolution or a dead band.
 pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
     // A sum with zero has no negative zero.
     let bits = |force: &Vector3| [force.x, force.y, force.z].map(|part| (part + 0.0).to_bits());

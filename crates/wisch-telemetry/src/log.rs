@@ -82,8 +82,8 @@ pub struct Log {
 const GAPS_SHOWN: usize = 5;
 
 impl Log {
-    /// Returns what users should know about how the log was read, a sentence each: transforms, assumptions, samples that
-    /// were left out, and gaps.
+    /// Returns remarks for users on how the log was read, a sentence each: transforms, assumptions,
+    /// samples that were left out, and gaps.
     pub fn describe_reading(&self) -> Vec<String> {
         let skipped = self.skipped.iter().map(|skipped| {
             let plural = if skipped.count == 1 { "" } else { "s" };
@@ -419,7 +419,8 @@ fn combine(
     })
 }
 
-/// Leaves out the samples whose wrench is not usable, or whose pose is frozen. `poses`: in the world. Returns their numbers, and where the sensor is saturated.
+/// Leaves out the samples whose wrench is not usable, or whose pose is frozen. `poses`: in the
+/// world. Returns the numbers of these samples, and the saturation of the sensor.
 fn leave_out_unusable(
     raw: &RawLog,
     poses: &[(i64, Pose)],
@@ -604,7 +605,7 @@ impl<'a> Sensor<'a> {
                 ..of(Axes::Named, AxesSource::Logged)
             });
         }
-        // The root of a sensor that is bolted to something is most likely the logged frame.
+        // If a sensor is fixed to its root frame, that root is most likely the logged frame.
         if let Some(root) = raw.frames.rigid_root(frame)
             && let Some(turned) = rigid(root)
         {

@@ -4,7 +4,7 @@ use super::options::LogOptions;
 use wisch::geometry::Vector3;
 use wisch::interpret::TouchSample;
 
-/// Longest period between samples that still shows what a tool does [s].
+/// Longest period between samples that still shows the motion of a tool [s].
 const LONG_PERIOD: f64 = 1.0;
 /// Least and largest plausible speed of a wiping tool [m/s].
 const SPEEDS: [f64; 2] = [1e-3, 10.0];
@@ -14,7 +14,7 @@ const LEAST_WAY: f64 = 0.02;
 const FAR: f64 = 10.0;
 /// Distance from the surface that counts as near, in a candidate for the unit [m].
 const NEAR: f64 = 3.0;
-/// Usual distance of a wiping tool from the middle of its way [m], by which units are compared.
+/// Usual distance of a wiping tool from the middle of its path [m], by which units are compared.
 const USUAL_SPREAD: f64 = 0.2;
 /// Largest force that a wiping robot measures [N].
 const MOST_FORCE: f64 = 2000.0;
@@ -27,8 +27,8 @@ const LENGTHS: [(f64, &str); 4] = [
     (1e-6, "micrometres"),
 ];
 
-/// Returns implausible facts about a log, each with an option that may correct it: first the unit of length, then that of
-/// time, then what depends on both.
+/// Returns implausible facts about a log, each with an option that may correct it: first the unit
+/// of length, then the unit of time, then quantities that depend on both.
 pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<String> {
     let mut doubts = Vec::new();
     let steps = || samples.windows(2).map(|pair| (&pair[0], &pair[1]));
@@ -83,7 +83,7 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
     doubts
 }
 
-/// Returns the median distance of the tool from the middle of its way [m].
+/// Returns the median distance of the tool from the middle of its path [m].
 fn find_spread(samples: &[TouchSample]) -> f64 {
     let at = |sample: &TouchSample| sample.world_from_tool.translation.vector;
     let middle = samples.iter().map(at).sum::<Vector3>() / samples.len().max(1) as f64;

@@ -9,7 +9,7 @@ const QUATERNION_TOLERANCE: f64 = 0.01;
 /// Sine of half the angle between two rotations below which they count as equal [1].
 const SLERP_EPSILON: f64 = 1e-9;
 
-/// Why numbers are not a pose or a force.
+/// A reason why numbers are not a pose or a force.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuantityError {
     /// A number is not finite.

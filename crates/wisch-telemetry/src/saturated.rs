@@ -1,4 +1,5 @@
-//! Forces at the end of their sensor's range, which a log shows by a component that stays at its extreme value.
+//! Forces at the end of their sensor's range, recognised by a component that stays at its extreme
+//! value.
 
 use wisch::geometry::Vector3;
 
@@ -9,8 +10,8 @@ const LEAST_RUN: i64 = 50_000_000;
 const FEWEST: usize = 4;
 /// Least share of the samples in such runs at which another component changes \[1\].
 const LEAST_CHANGES: f64 = 0.8;
-/// Largest share of the samples off the extreme values that repeat the one before \[1\], and least number of samples there: the
-/// component must have noise where it is free to move.
+/// Largest share of the samples away from the extreme values that repeat the previous sample \[1\],
+/// and least number of such samples: within its range, the component must have noise.
 const MOST_REPEATS: f64 = 0.5;
 const FEWEST_OFF: usize = 20;
 /// Longest run off the extreme values over the longest run at them \[1\]: a coarse resolution repeats all values.

@@ -4,16 +4,17 @@ use wisch::geometry::Vector3;
 
 /// Samples on either side of an outlier that show the force there.
 const NEIGHBOURS: usize = 5;
-/// Most consecutive samples of an outlier.
+/// Largest number of consecutive samples of an outlier.
 const LONGEST: usize = 5;
 /// Least deviation of an outlier from its neighbours, over their own median deviation \[1\]; 10 standard deviations.
 const LEAST_BY_SPREAD: f64 = 15.0;
-/// Least deviation of an outlier of one sample over the force that 95 % of all samples stay below \[1\]; twice as much for each
-/// further sample, as impacts last for several.
+/// Least deviation of an outlier of one sample, over the force that 95 % of all samples do not
+/// exceed \[1\]. For each further sample the limit doubles, because impacts last for several
+/// samples.
 const LEAST_BY_SIZE: f64 = 2.0;
 /// Largest deviation of the samples next to an outlier, over its own \[1\]: an impact rises and decays.
 const MOST_BESIDE: f64 = 0.1;
-/// Fewest samples of a log in which outliers are sought.
+/// Least number of samples of a log in which outliers are searched.
 const FEWEST: usize = 4 * NEIGHBOURS;
 
 /// Outliers of a log's force.

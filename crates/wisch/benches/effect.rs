@@ -1,4 +1,4 @@
-//! One push stroke of 0.4 m: cost against the number of particles and of those near the stroke.
+//! One push stroke of 0.4 m: cost by the number of particles, and by the number near the stroke.
 
 use divan::{Bencher, black_box};
 use rand::RngExt;
@@ -34,13 +34,13 @@ fn stroke(bencher: Bencher, count: usize, side: f64, turn: f64) {
         .bench_local_refs(|field| black_box(model.apply(field, &surface, &motion)));
 }
 
-/// The area stays 1 m²: particles near the stroke grow with all.
+/// The area stays 1 m²: the number of particles near the stroke grows with the total number.
 #[divan::bench(args = [400, 10_000, 100_000, 1_000_000])]
 fn push_on_one_square_metre(bencher: Bencher, count: usize) {
     stroke(bencher, count, 1.0, 0.0);
 }
 
-/// The density stays 1000 per m²: only the particles far from the stroke grow.
+/// The density stays 1000 particles per m²: only the number far from the stroke grows.
 #[divan::bench(args = [1_000, 10_000, 100_000, 1_000_000])]
 fn push_at_constant_density(bencher: Bencher, count: usize) {
     stroke(bencher, count, (count as f64 / 1000.0).sqrt(), 0.0);

@@ -1,5 +1,6 @@
-//! Where a tool's freedom leads: 500 waypoints of a line × 36 angles of the tool about the surface normal, the
-//! arm of seven joints, inverse kinematics and self-collision; on all threads, and on one.
+//! Cost of a tool's free yaw: 500 waypoints of a line × 36 angles of the tool about the surface
+//! normal, for the arm of seven joints, with inverse kinematics and self-collision; on all threads,
+//! and on one.
 
 use divan::{Bencher, black_box};
 use nalgebra::{Translation3, UnitQuaternion};
@@ -63,7 +64,8 @@ fn base_from_tool(waypoint: usize, angle: usize) -> Pose {
     )
 }
 
-/// How many waypoints are in reach and free with the tool at an angle, each solved from the one before.
+/// Returns the number of waypoints that are in reach and free of collision with the tool at an
+/// angle, each solved from the one before.
 fn free_waypoints(arm: &Arm, angle: usize) -> usize {
     let mut at: JointPositions = *arm.ik.posture();
     let mut free = 0;

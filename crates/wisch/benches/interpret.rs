@@ -1,4 +1,5 @@
-//! A log as it comes in, what it tells, and the plane of its contacts.
+//! Cost of taking the samples of a log, of interpreting it, and of fitting the plane of its
+//! contacts.
 
 #[allow(dead_code, reason = "the tests use all of it")]
 #[path = "../tests/interpret/log.rs"]
@@ -48,7 +49,7 @@ fn log_of_seconds(bencher: Bencher, seconds: usize) {
     bencher.bench(|| interpreter(black_box(&samples)).conclude(&believed, &GoalState::Absorbed));
 }
 
-/// The same with a heap that is pushed to the middle.
+/// The same log with a heap that is pushed to the middle.
 #[divan::bench(args = [60], sample_count = 5)]
 fn pushing_log_of_seconds(bencher: Bencher, seconds: usize) {
     let task = task(80, STEEP);
@@ -61,14 +62,14 @@ fn pushing_log_of_seconds(bencher: Bencher, seconds: usize) {
     bencher.bench(|| interpreter(black_box(&samples)).conclude(&believed, &goal));
 }
 
-/// Samples alone: a minute of them.
+/// Only the samples of a minute, without interpretation.
 #[divan::bench(sample_count = 10)]
 fn push_60_000_samples(bencher: Bencher) {
     let samples = script(60).samples(&task(80, STEEP));
     bencher.bench(|| interpreter(black_box(&samples)));
 }
 
-/// Three in ten are not on the plane.
+/// Three in ten points are not on the plane.
 #[divan::bench]
 fn plane_of_5000_points(bencher: Bencher) {
     let mut random = ChaCha8Rng::seed_from_u64(1);

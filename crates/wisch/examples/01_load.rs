@@ -1,4 +1,4 @@
-//! Load a task and say what it asks.
+//! Load a task and print its contents.
 //!
 //! ```text
 //! cargo run -p wisch --example 01_load

@@ -1,6 +1,6 @@
-//! Follow the plan with a robot of one's own, and check the motion.
+//! Follow the plan with your own robot, and check the motion.
 //!
-//! An SRDF that lies beside the URDF says which group of joints wipes and where it starts.
+//! An SRDF beside the URDF states which group of joints wipes and where it starts.
 //!
 //! ```text
 //! cargo run -p wisch --example 03_follow

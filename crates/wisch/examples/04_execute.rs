@@ -1,6 +1,7 @@
-//! Run the whole loop with an executor of one's own: a robot whose tool follows the plan exactly.
+//! Run the whole loop with your own executor: a robot whose tool follows the plan exactly.
 //!
-//! A real one would send the setpoints to its controller, and hand on what is measured.
+//! An executor for a real robot would send the setpoints to its controller, and return the
+//! measurements.
 //!
 //! ```text
 //! cargo run -p wisch --example 04_execute

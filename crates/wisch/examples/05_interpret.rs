@@ -1,6 +1,7 @@
-//! Interpret a bag of poses and forces, and plan the next round from what it says.
+//! Interpret a bag of poses and forces, and plan the next round from the result.
 //!
-//! Any bag with a pose and a force will do; this one is of a sponge that is drawn once over the board.
+//! Any bag with a pose and a force is suitable; this one is of a sponge that moves once over the
+//! board.
 //!
 //! ```text
 //! cargo run -p wisch --example 05_interpret

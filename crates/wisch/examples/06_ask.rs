@@ -1,6 +1,7 @@
-//! Remember a log as an episode, and ask the memory for it in Prolog.
+//! Store a log as an episode in a memory, and query the memory in Prolog.
 //!
-//! The engine is a program of its own: `cargo build -p wisch-prolog` makes it, in some minutes; SWI-Prolog does as well.
+//! The query engine is the companion program `wisch-prolog`; `cargo build -p wisch-prolog` builds
+//! it in some minutes. SWI-Prolog is an alternative.
 //!
 //! ```text
 //! cargo run -p wisch --example 06_ask

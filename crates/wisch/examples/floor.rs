@@ -1,18 +1,21 @@
-//! A floor round an arm, wiped with a round pad: how far the joints move, with the tool turned as planned, with its yaw left
-//! to the robot, and with the order of places left to it too.
+//! A floor around an arm, wiped with a round pad. It compares the joint movement in three cases:
+//! the tool turned as planned, its yaw chosen by the robot, and the order of places chosen by the
+//! robot as well.
 //!
 //! ```text
 //! cargo run --release --package wisch --example floor -- [--bandwidth M] [--pad M] [--strategy NAME] [--tool NAME] \
 //!     [--targets FILE.csv] [--urdf FILE --tip LINK --hand-height M]
 //! ```
 //!
-//! Without a file, targets are 50 mm apart all round the shipped arm of seven joints, from 0.3 to 0.72 m off its foot. A CSV
-//! file has a target's x and y in each row [m], or columns that a header calls `target-POS_X`, `target-POS_Y` and
-//! `target-POS_Z`, as arm_coverage's have; they are in the frame of the robot's root. Another robot has a URDF, the link whose
-//! frame is on the targets, its z axis down, and how high that is above the floor, where the pad is [m]. Meshes are looked for
-//! beside the URDF.
+//! Without a file, targets are 50 mm apart around the shipped arm of seven joints, from 0.3 to 0.72
+//! m off its foot. A CSV file has a target's x and y in each row [m], or columns named
+//! `target-POS_X`, `target-POS_Y` and `target-POS_Z`, like the files of arm_coverage; they are in
+//! the frame of the robot's root. Another robot needs a URDF, the link whose frame is moved to the
+//! targets with its z axis down, and the height of that frame above the floor, where the pad is
+//! [m]. Meshes are searched beside the URDF.
 //!
-//! `passed` are the targets whose centres the pad's own passes within 1 mm; `faults` are what the audit finds.
+//! `passed` is the share of targets over whose centre the pad's centre passes within 1 mm; `faults`
+//! are the faults of the audit.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -31,9 +34,9 @@ const PITCH: f64 = 0.05;
 const PAD: f64 = 0.036;
 /// Height of the pad in the hand of the shipped arm, and in that of another robot [m].
 const THICKNESS: [f64; 2] = [0.05, 0.015];
-/// Where the targets are from the foot of the arm [m].
+/// Range of the distance of the targets from the foot of the arm [m].
 const REACH: [f64; 2] = [0.3, 0.72];
-/// Within how much a centre counts as passed [m].
+/// Distance within which a centre counts as passed [m].
 const PASSED: f64 = 1e-3;
 
 fn main() -> Result<(), AnyError> {
@@ -127,7 +130,7 @@ fn main() -> Result<(), AnyError> {
     Ok(())
 }
 
-/// What the flags say; each has a value.
+/// Returns the values of the flags; each flag has one.
 fn options() -> Result<BTreeMap<String, String>, AnyError> {
     const FLAGS: [&str; 8] = [
         "bandwidth",
@@ -175,7 +178,7 @@ fn read(path: &str) -> Result<(Vec<Point2>, f64), AnyError> {
     Ok((rows.into_iter().map(|(place, _)| place).collect(), height))
 }
 
-/// A robot that holds the pad so far beyond a link's frame, along its z axis [m].
+/// Returns a robot that holds the pad at a distance beyond a link's frame, along its z axis [m].
 fn cell_of(urdf: &str, tip: &str, hand_height: f64, task: &Task) -> Result<Workcell, AnyError> {
     let text = std::fs::read_to_string(urdf).map_err(|error| format!("{urdf}: {error}"))?;
     let folder = Path::new(urdf).parent().unwrap_or(Path::new(""));
@@ -195,7 +198,7 @@ fn cell_of(urdf: &str, tip: &str, hand_height: f64, task: &Task) -> Result<Workc
     Ok(Workcell::new(robot, Some(&srdf), task, &config)?)
 }
 
-/// The share of the targets whose centres the pad's own passes.
+/// Returns the share of the targets over whose centre the pad's centre passes [1].
 fn passed(targets: &[Point2], plan: &Plan) -> f64 {
     let distance = |target: &Point2| {
         let motions = plan.strokes.iter().flat_map(|stroke| stroke.motions());
@@ -221,7 +224,8 @@ fn ring() -> Vec<Point2> {
         .collect()
 }
 
-/// The task of wiping them with a pad of a radius and a height, on a floor so high in the world [m].
+/// Returns the task of wiping the targets with a pad of this radius and thickness, on a floor at
+/// this height in the world [m].
 fn floor(targets: &[Point2], [pad, thickness]: [f64; 2], height: f64) -> Result<Task, AnyError> {
     let reach = targets
         .iter()

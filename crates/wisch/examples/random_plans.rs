@@ -1,11 +1,11 @@
-//! Random tasks, planned by every strategy: whether `best` is the best. Exits 1 on a panic.
+//! Random tasks, planned by every strategy, to check that `best` is the best. Exits 1 on a panic.
 //!
 //! ```text
 //! cargo run --release --package wisch --example random_plans -- [count, default 200] [first seed, default 1000]
 //! ```
 //!
-//! The predicted performance of `best` is held against the best of grid, rrt and kde. All are evaluated by one effect model, in the
-//! world that is believed.
+//! The predicted performance of `best` is compared with the best of grid, rrt and kde. One effect
+//! model evaluates all plans, for the dirt that the planner assumes.
 
 use rayon::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,7 +14,7 @@ use wisch::plan::{Plan, PlanConfig, Planner, Strategy, plan, predict};
 use wisch::represent::{Action, Task};
 use wisch_testkit::{AnyError, any_task};
 
-/// What became of a task.
+/// Result of a task.
 struct Row {
     seed: u64,
     action: Action,

@@ -1,5 +1,5 @@
-//! Random problems of following, planned, followed and audited: what becomes of them. Exits 1 on any fault
-//! or panic, and if fewer than 70 % of a hundred or more are followed, whole or in part.
+//! Random tasks and robots: each task is planned, followed and audited. Exits 1 on any fault or
+//! panic, and if fewer than 70 % of a hundred or more are followed, wholly or in part.
 //!
 //! ```text
 //! cargo run --release --package wisch --example random_problems -- [count, default 1000] [first seed, default 0]
@@ -13,12 +13,13 @@ use std::process::ExitCode;
 use std::time::Instant;
 use wisch_testkit::{Problem, ShippedRobot, SolvedProblem, robots};
 
-/// Share of many problems that is followed at least, whole or in part: where all is refused, nothing is wrong either.
+/// Least share of at least [`MANY`] problems that must be followed, wholly or in part: a program
+/// that refuses all of them would have no faults.
 const LEAST_FOLLOWED: f64 = 0.7;
-/// So many problems are many.
+/// Least number of problems to which [`LEAST_FOLLOWED`] applies.
 const MANY: usize = 100;
 
-/// A seed's robot and what became of it; nothing if it panicked.
+/// Index of a seed's robot and the result; `None` if it panicked.
 type Row = (usize, Option<SolvedProblem>);
 
 fn main() -> Result<ExitCode, Box<dyn Error + Send + Sync>> {

@@ -1,10 +1,10 @@
-//! Numbers in messages beside their limits, with as many digits as tell both apart.
+//! Formats numbers beside their limits, with enough digits to distinguish them.
 
 /// Largest number of decimals.
 const MOST: usize = 12;
 
-/// Formats a number with at least `decimals` decimals, and with more where it would read as its limit or as on the other side
-/// of it.
+/// Formats a number with at least `decimals` decimals. More decimals are added if the number would
+/// otherwise read as its limit, or as on the other side of it.
 pub(crate) fn format_beside_limit(limit: f64, number: f64, decimals: usize) -> String {
     let is_apart = |text: &String| {
         let shown = text.parse::<f64>();

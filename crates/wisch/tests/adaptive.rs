@@ -1,5 +1,5 @@
-//! Strokes that are searched for: better than those of the coverage strategies, the same however they are computed, and
-//! right for dirt that lies a little elsewhere.
+//! Strokes of the adaptive strategy: better than those of the coverage strategies, equal on any
+//! number of threads, and robust against dirt that lies a little elsewhere.
 
 use rayon::ThreadPoolBuilder;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
@@ -43,7 +43,7 @@ fn performance(task: &Task, plan: &Plan) -> f64 {
     predict(task, plan, |_| ()).performance.ratio()
 }
 
-/// What is wrong with where the tool stands and goes.
+/// Returns the faults of the positions of a plan.
 fn faults(task: &Task, plan: &Plan) -> Vec<String> {
     let scene: Vec<Mesh> = task.obstacles_in_surface().collect();
     let space = FreeSpace::new(&task.surface, &scene, task.tool.collision_radius()).unwrap();
@@ -162,7 +162,7 @@ fn the_search_finds_a_plan_with_a_higher_score_than_it_began_with() {
 
 #[test]
 fn the_score_of_a_plan_is_what_it_does_less_what_it_costs() {
-    // Of a coverage strategy, whose strokes turn and carry dirt on: as they are.
+    // Plans of all strategies, also of those that turn and push dirt along.
     let task = task("chopping-board", Action::Collect, 1);
     let config = config(Strategy::Best, FEW);
     let found = Planner::new(&task, &config)
@@ -192,7 +192,7 @@ fn the_score_of_a_plan_is_what_it_does_less_what_it_costs() {
             "{score:?}"
         );
         assert_eq!(score.with_motion(100.0).total, total - 0.03);
-        // The tool is thought a little smaller, and its way costs something.
+        // The score counts a slightly smaller tool, and the costs of the path.
         let least = most - 3.0 * share(performance.lost) - 0.25;
         assert!(score.total >= least, "{strategy} {score:?} {least}");
     }
@@ -248,7 +248,7 @@ fn a_plan_for_all_that_may_be_fails_less_on_what_comes() {
     let for_any = planner.with_possible_dirt(&possible).plan().unwrap();
     let for_one = planner.with_possible_dirt(&possible[..1]).plan().unwrap();
     assert_eq!(faults(&task, &for_any), [""; 0]);
-    // Dirt that is elsewhere again, and a goal that is a little smaller, as heaps take room.
+    // Dirt at new positions, and a slightly smaller goal area, because heaps need space.
     let mean = |plan: &Plan| {
         let GoalState::Collected { center, radius } = plan.graph.goal else {
             panic!("dirt is collected");

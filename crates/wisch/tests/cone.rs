@@ -41,7 +41,8 @@ proptest! {
         let shape = cone(radius, half_angle, axis);
         let along = Vector2::new(axis.cos(), axis.sin());
         let across = Vector2::new(-along.y, along.x);
-        // In polar coordinates about the apex, a turn by θ rolls by θ / sin α.
+        // In polar coordinates about the apex, a rotation by θ in the chart is one by θ / sin α
+        // about the axis.
         let slant = size / half_angle.sin();
         let turn = roll * half_angle.sin() * radius.signum();
         let distance = slant * share;
@@ -176,7 +177,8 @@ fn a_rigid_tool_touches_less_of_the_narrow_end() {
     assert_eq!(bent, flat);
 }
 
-/// The arm keeps the tool's axis along the normal, as the audit sees it with geometry of its own.
+/// The arm keeps the tool's axis along the normal, which the audit checks with a geometry of its
+/// own.
 #[test]
 fn the_tool_follows_the_cone_and_the_audit_sees_a_lean() {
     let config = FollowConfig::default();

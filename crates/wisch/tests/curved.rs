@@ -204,7 +204,7 @@ proptest! {
         let mut shares = shares;
         shares.sort_by(f64::total_cmp);
         let radius = if is_hollow { -radius } else { radius };
-        // What is pushed over a cone comes to places that bend otherwise.
+        // Particles that are pushed over a cone come to places with another bend.
         let shape = if half_angle > 0.0 && kind != Effect::Push {
             SurfaceShape::Cone(Cone { radius, half_angle, axis })
         } else {
@@ -254,7 +254,8 @@ proptest! {
     }
 }
 
-/// What acts on a particle is the pressure at its place: a particle is absorbed if f′ ever reaches the limit over it.
+/// The pressure at a particle's place acts on it: a particle is absorbed if f′ ever reaches the
+/// limit over it.
 #[test]
 fn only_what_is_pressed_hard_enough_is_wiped() {
     for (radius, axis) in [(0.5, 0.0), (0.5, 0.6), (-0.5, 0.0), (-0.5, FRAC_PI_2)] {
@@ -426,7 +427,8 @@ fn what_the_model_does_not_hold_for_is_refused_with_place_value_and_limit() {
     assert!(plan(&near, &PlanConfig::default()).is_ok());
 }
 
-/// The arm keeps the tool's axis along the normal, as the audit sees it with geometry of its own.
+/// The arm keeps the tool's axis along the normal, which the audit checks with a geometry of its
+/// own.
 #[test]
 fn the_tool_follows_the_bend_and_the_audit_sees_a_lean() {
     let config = FollowConfig::default();
@@ -603,7 +605,7 @@ fn what_the_edge_of_a_pad_does_not_touch_is_not_credited() {
             assert_eq!(*share, 0.0, "{place}");
         }
     }
-    // A soft pad lies on the bend, and what it passes over is credited.
+    // A soft pad lies on the bend, and the particles under its path are absorbed.
     rolled.interaction.compression_depth_m = 0.01;
     let soft = rolled.clone();
     let (_, shares) = read(&soft);
@@ -716,7 +718,7 @@ fn the_mesh_of_a_cylinder_is_that_cylinder() {
             let seen = meshed.surface.shape.place_below(below.into()).unwrap();
             assert!((seen - place).norm() < 1e-6, "{radius} {place}: {seen}");
         }
-        // Beyond the border, it goes on straight.
+        // Beyond the border, the surface continues straight.
         let beyond = Point2::new(0.14, 0.0);
         let [found, wanted] =
             [&meshed, &rolled].map(|t| t.surface.world_from_place(beyond, 0.0).translation.vector);

@@ -9,7 +9,7 @@ use wisch::represent::{
 };
 use wisch_testkit::surface;
 
-/// How far two computations of the same motion may lie apart [m].
+/// Largest distance between two computations of the same motion [m].
 const SAME: f64 = 1e-4;
 
 fn sponge() -> Region {
@@ -305,7 +305,8 @@ fn particles_that_do_not_respond_stay_and_the_others_do_what_they_did() {
     }
 }
 
-/// What becomes of a heap of this depth that is pushed along x to 1 cm before the edge at x = 0.2.
+/// Returns the effect on a heap of this depth that is pushed along x to 1 cm before the edge at x =
+/// 0.2.
 fn heap_pushed_near_the_edge(depth: f64) -> (MotionEffect, ParticleDistribution) {
     let crumbs = ParticleDistribution::new(&[Point2::new(0.1, 0.0); 400]).unwrap();
     let mut field = ParticleField::new(&crumbs);
@@ -321,7 +322,7 @@ fn heap_pushed_near_the_edge(depth: f64) -> (MotionEffect, ParticleDistribution)
 
 #[test]
 fn what_has_no_room_before_the_edge_falls_and_the_rest_lies_apart() {
-    // Twice as deep as there is room: half of it.
+    // The heap needs twice the space before the edge: half of it falls.
     let (effect, deep) = heap_pushed_near_the_edge(0.02);
     let count = |fate| deep.iter().filter(|(_, one)| *one == fate).count();
     assert!((150..250).contains(&effect.off_surface), "{effect:?}");
@@ -333,7 +334,7 @@ fn what_has_no_room_before_the_edge_falls_and_the_rest_lies_apart() {
     assert!(left.iter().any(|place| place.y > 0.008));
     let (effect, _) = heap_pushed_near_the_edge(0.009);
     assert_eq!([effect.pushed, effect.off_surface], [400, 0]);
-    // Without depth it is as if there were no heap.
+    // With a depth of 0, the particles lie on a line.
     let (_, flat) = heap_pushed_near_the_edge(0.0);
     let line = flat.remaining().next().unwrap();
     assert!((line.x - 0.19).abs() < SAME && line.y == 0.0, "{line}");
@@ -404,7 +405,7 @@ proptest! {
         }
     }
 
-    /// Halving a motion, and halving it again, changes nothing: there is no step size.
+    /// Dividing a motion changes nothing: there is no step size.
     #[test]
     fn splitting_a_motion_changes_nothing(points in any_points(), motion in any_motion(), tool in any_tool()) {
         let whole = wiped(&tool, Effect::Push, &points, &[motion]);
@@ -427,7 +428,7 @@ proptest! {
         }
     }
 
-    /// A turn too slight to matter is a translation.
+    /// A rotation below the resolution is a translation.
     #[test]
     fn the_two_computations_agree_where_they_meet(points in any_points(), motion in any_motion()) {
         prop_assume!((motion.to.position - motion.from.position).norm() > 1e-3);
@@ -455,7 +456,8 @@ proptest! {
     }
 }
 
-/// Here the boundary would neither keep the particle nor let it lie: it slides along the edge.
+/// A case in which the particle at the boundary is neither carried nor left: it slides along the
+/// edge.
 #[test]
 fn a_particle_that_is_neither_carried_nor_left_slides_along_the_edge() {
     let points = [Point2::new(0.019_076_565, 0.024_441_248)];

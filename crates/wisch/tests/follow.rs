@@ -1,4 +1,5 @@
-//! Following a plan: whole, audited, and the same on any number of threads; what is out of reach is reported.
+//! Following a plan: completely, with an audit, and equally on any number of threads; nodes out of
+//! reach are reported.
 
 #[path = "follow/audit.rs"]
 mod audit_of_motions;
@@ -55,7 +56,7 @@ fn an_arm_follows_every_stroke_of_a_board_as_planned() {
         let audit = audit(&followed, &cell, &task, &config).unwrap();
         assert!(audit.is_sound() && audit.min_clearance > 0.0);
         assert!(audit.line.position <= config.line_tolerance);
-        // In free motion there is room for more.
+        // In free motion, more deviation is allowed.
         for motion in &followed.motions {
             if motion.phase != Phase::FreeMotion {
                 continue;
@@ -160,7 +161,7 @@ fn a_configuration_without_sense_is_refused_by_the_name_of_its_field() {
         ("acceleration_ramp", |config| &mut config.acceleration_ramp),
     ];
     for (field, of) in fields {
-        // Neither more clearance nor a ramp is needed.
+        // A clearance or a ramp of 0 is allowed.
         let may_be_none = ["free_clearance", "acceleration_ramp"].contains(&field);
         let wrong = [f64::NAN, f64::INFINITY, -1.0, 0.0];
         for wrong in wrong.into_iter().filter(|w| !(may_be_none && *w == 0.0)) {
@@ -205,7 +206,7 @@ fn the_motion_is_the_same_on_one_thread_and_on_four() {
         };
         let (one, four) = (on(1).unwrap().motion, on(4).unwrap().motion);
         assert!(one.duration() > 0.0, "seed {seed} does not move");
-        // Debug writes every digit that tells two numbers apart.
+        // Debug writes all digits that distinguish two numbers.
         assert!(format!("{one:?}") == format!("{four:?}"), "seed {seed}");
         let bits = |followed: &Followed| -> Vec<u64> {
             let times = (0..200).map(|i| followed.duration() * f64::from(i) / 199.0);
@@ -218,8 +219,8 @@ fn the_motion_is_the_same_on_one_thread_and_on_four() {
     }
 }
 
-/// A seed of the example on which step by step there is no way, however the tool is turned, from any of the
-/// configurations that are tried.
+/// A seed of the example for which only the global search finds a motion: the local one fails with
+/// every rotation of the tool and every tried configuration.
 const ONLY_GLOBALLY: u64 = 93;
 
 #[test]
@@ -314,14 +315,15 @@ fn the_global_method_finds_a_way_where_the_local_one_finds_none() {
     assert_eq!(with(SearchScope::Global).abandoned, []);
 }
 
-/// Seeds of the example that have been wrong once, each with what was wrong.
+/// Seeds of the example that once gave motions with faults, with the cause.
 const ONCE_WRONG: [u64; 4] = [
     // While it wiped, the tool was kept off the arm's own links without its rim only.
     0, 82, 136, // An edge of the tool lost more to the rim than the margin kept.
     154,
 ];
 
-/// Of the 24 problems below, how many at least are followed whole, and how many whole or in part: one less than are.
+/// Least number of the 24 problems below that are followed completely, and completely or in part:
+/// one less than at present.
 const LEAST_WHOLE: usize = 13;
 const LEAST_FOLLOWED: usize = 19;
 
@@ -348,7 +350,7 @@ fn random_problems_are_solved_without_faults() {
     let all = outcomes.iter().chain(&square);
     let wrong: Vec<_> = all.filter(|(.., o)| is_faulty(o)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
-    // Where all is refused, nothing is wrong either.
+    // If all problems were refused, there would be no faults either.
     let is =
         |wanted: &[SolvedProblem]| outcomes.iter().filter(|(.., o)| wanted.contains(o)).count();
     let whole = is(&[SolvedProblem::Whole]);

@@ -1,4 +1,5 @@
-//! Strokes from outside: what the tool cannot do is refused with its place, and what planners plan is accepted.
+//! Given strokes: those that the tool cannot execute are refused with their place, and those of
+//! planners are accepted.
 
 use wisch::geometry::{PlanarPose, Point2, Polygon, Vector2};
 use wisch::plan::{
@@ -83,7 +84,7 @@ fn what_the_tool_cannot_do_is_refused_with_stroke_place_and_limit() {
     assert!((0.0..=0.0151).contains(x), "{x}");
     // Past it, nearer than the collision sphere, which is wider than the tool.
     assert!(given(&cup, &[row(-0.1, 0.1, -0.0651)]).is_ok());
-    // Inside of it, without meeting its sides.
+    // Inside the object, without crossing its sides.
     let mut crate_ = task.clone();
     crate_
         .scene

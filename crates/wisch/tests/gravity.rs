@@ -87,7 +87,7 @@ fn a_running_film_scores_lanes_from_the_top_down_higher_than_from_the_bottom_up(
 #[test]
 fn what_runs_off_by_itself_is_no_gain_of_a_stroke() {
     let mut task = panel(0.49);
-    // Dry above the middle.
+    // The panel is dry above the middle.
     let low: Vec<Point2> = task.particles.remaining().filter(|p| p.y < 0.0).collect();
     task.particles = ParticleDistribution::new(&low).unwrap();
     let beside = [0.1, 0.12].map(|x| PlanarPose::new(Point2::new(x, 0.2), 0.0));

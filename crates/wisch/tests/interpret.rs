@@ -1,4 +1,4 @@
-//! What synthetic logs tell, held against what was put into them.
+//! Interpretations of synthetic logs, compared with the values from which the logs were made.
 
 #[path = "interpret/belief.rs"]
 mod belief;
@@ -33,7 +33,7 @@ use wisch::interpret::{
 };
 use wisch::represent::{Fate, GoalState, Task};
 
-/// How exactly events are to be found [s].
+/// Largest error of the times of events [s].
 const EVENT_TOLERANCE: f64 = 0.05;
 
 fn interpreted_with(
@@ -54,7 +54,7 @@ fn interpreted(script: &Script) -> Interpretation {
     )
 }
 
-/// As the task has it, nothing uncertain but the chances of (12).
+/// The configuration of the task, in which only the draws of (12) are uncertain.
 fn exact(task: &Task) -> InterpretConfig {
     InterpretConfig {
         uncertainty: Uncertainty::NONE,
@@ -185,7 +185,7 @@ fn a_tilted_board_is_found_and_the_side_out_of_reach_not_wiped() {
     let Diagnosis::Relocalize { world_from_surface } = interpretation.diagnosis else {
         panic!("{:?}", interpretation.diagnosis);
     };
-    // Where the real surface is, point by point.
+    // The found surface is compared with the real one at single points.
     for place in [
         Point2::new(0.2, 0.14),
         Point2::new(-0.2, 0.14),
@@ -255,7 +255,7 @@ fn a_bias_of_the_sensor_is_found_and_taken_off() {
         assert!((interpretation.performance.mean - plain.performance.mean).abs() < 0.01);
         assert_eq!(interpretation.events.len(), plain.events.len());
     }
-    // Never free: nothing tells a bias.
+    // Without free motion, the bias is unknown.
     let task = task(80, STEEP);
     let script = Script {
         bias: 1.0,
@@ -407,12 +407,12 @@ fn what_is_no_measurement_is_refused_with_number_field_and_value() {
     }
 }
 
-/// The compression of the tool is what tells weak contact from a tool off the plane.
+/// The compression of the tool distinguishes weak contact from a tool off the plane.
 #[test]
 fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     let task = task(500, STEEP);
     let script = Script {
-        // In the middle, so that no tilted plane passes for it.
+        // In the middle, so that a tilted plane does not fit as well.
         press: |place| {
             if place.x.abs() < 0.1 {
                 0.6 * PRESS
@@ -434,7 +434,7 @@ fn a_tool_believed_rigid_is_thought_off_the_plane_where_it_presses_less() {
     assert!(soft.performance.mean > rigid.performance.mean + 0.2);
 }
 
-/// A surface far above the believed one, on which the tool presses as it should.
+/// A surface far above the believed one, on which the tool has its nominal force.
 #[test]
 fn a_surface_far_above_the_believed_one_is_no_bias() {
     let interpretation = interpreted(&Script {
@@ -494,7 +494,7 @@ fn planes_are_found_among_outliers_and_none_where_there_is_none() {
     let held = within(3.0).unwrap();
     assert!(held.tilt() <= 3.0_f64.to_radians() + 1e-12, "{held:?}");
     assert!(held.inliers < 300);
-    // Points all over the place lie on no plane.
+    // Scattered points lie on no plane.
     let scattered: Vec<Point3> = (0..500)
         .map(|i| {
             let (x, y) = grid(i);
@@ -504,7 +504,7 @@ fn planes_are_found_among_outliers_and_none_where_there_is_none() {
     assert_eq!(fit_plane(&scattered, &config, 3), None);
     assert_eq!(fit_plane(&points[..5], &config, 3), None);
     assert_eq!(fit_plane(&[], &config, 3), None);
-    // All in one place: its height.
+    // Contacts at one place determine its height only.
     let same = vec![Point3::new(0.1, 0.1, 0.02); 20];
     let flat = fit_plane(&same, &config, 3).unwrap();
     assert!((flat.height - 0.02).abs() < 1e-12 && flat.slope.norm() == 0.0);
@@ -566,7 +566,8 @@ proptest! {
         let ends = |path: &[PathPiece]| Some([path.first()?.time[0], path.last()?.time[1]]);
         let times = accepted.first().copied().zip(accepted.last().copied());
         let times = times.map(<[f64; 2]>::from);
-        // Far away, jumps are left out in silence: the unit of length is wrong.
+        // For positions far away, jumps are left out without a doubt of their own: the unit of
+        // length is wrong.
         let has_jumps = |doubt: &Doubt| matches!(doubt, Doubt::PoseJumps { .. } | Doubt::FarAway { .. });
         if interpretation.doubts.iter().any(has_jumps) {
             let [[first, last], [start, end]] = [ends(&interpretation.path), times].map(Option::unwrap);

@@ -1,4 +1,4 @@
-//! What is learned from synthetic logs and looks, held against what was planted in them.
+//! Learning from synthetic logs and observations, compared with the planted parameters.
 
 #[path = "learn/planted.rs"]
 mod planted;
@@ -37,7 +37,7 @@ fn rounds(world: &World, seed: u64, count: u64) -> Vec<ObservedRound> {
 #[test]
 #[ignore = "slow: many cases; `just slow`"]
 fn planted_parameters_are_recovered_from_twenty_episodes() {
-    // None of them is what the knowledge base has: -1.05, 0.25, 0.065 m.
+    // The planted values differ from those of the knowledge base: -1.05, 0.25, 0.065 m.
     let cases = [
         ([-0.8, 0.35, 0.045], Effect::Absorb),
         ([-0.9, 0.32, 0.055], Effect::Push),
@@ -63,7 +63,8 @@ fn planted_parameters_are_recovered_from_twenty_episodes() {
                 "{found} for {planted}, {effect:?}: {law:?}"
             );
         }
-        // ℓ shows only in how often weak contacts were too weak, and motions are a centimetre long.
+        // ℓ is determined only by how often weak contacts failed, and motions are a centimetre
+        // long.
         let PosteriorSummary {
             mean, deviation, ..
         } = law.ln_redraw_length;
@@ -91,7 +92,8 @@ fn thresholds_that_are_kept_are_known_by_what_is_wiped_twice() {
     let law = learned(&interaction, &runs.concat());
     assert!(law.kept_share > 0.95, "{law:?}");
     assert!((law.mu.mean / planted.mu - 1.0).abs() < 0.1, "{law:?}");
-    // Who forgets the first round takes those that withstood it for any others, and the law for a harder one.
+    // Without the first round, the particles that remained after it count as any others, and the
+    // estimated threshold is too high.
     let forgotten = runs.concat().into_iter().map(|round| ObservedRound {
         earlier: vec![],
         ..round
@@ -100,8 +102,8 @@ fn thresholds_that_are_kept_are_known_by_what_is_wiped_twice() {
     assert!(learned(&interaction, &forgotten).mu.mean > law.mu.mean + 0.05);
 }
 
-/// How often the interval of 90 % holds μ, σ and ℓ, and of how many, in so many repetitions of so many rounds with
-/// parameters drawn from what is known before.
+/// For μ, σ and ℓ: number of 90 % intervals that contain the true value, and their total number.
+/// The parameters of each repetition are drawn from the prior.
 fn coverage(first_seed: u64, repetitions: u64, count: u64, particles: usize) -> [[usize; 2]; 3] {
     let interaction = interaction_of("sponge", "breadcrumbs");
     let LogNormal { mu, sigma } = interaction.likelihood;
@@ -188,7 +190,8 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
     let config = LearnConfig::default();
     let together = learn(&lessons, &config).unwrap();
     let alone = learned(&pairs[3], &rarely);
-    // The others are off their entries by 0.4; a law that is seen rarely goes with them, and is known better.
+    // The other pairs differ from their entries by 0.4. A pair with few observations follows them,
+    // and is known better.
     let [pooled, own] = [&together[3].mu, &alone.mu];
     assert!(
         pooled.deviation < 0.95 * own.deviation,
@@ -198,10 +201,10 @@ fn a_law_that_is_seen_rarely_borrows_from_others_of_its_tool() {
         (pooled.mean - planted.mu).abs() < (own.mean - planted.mu).abs(),
         "{pooled:?} {own:?}"
     );
-    // One that is seen often decides for itself.
+    // A pair with many observations does not follow the others.
     let decided = learned(&pairs[0], &often).mu;
     assert!((together[0].mu.mean - decided.mean).abs() < 0.5 * decided.deviation);
-    // The same on any number of threads.
+    // The result is the same on any number of threads.
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
         .build()
@@ -238,7 +241,7 @@ fn what_is_known_exactly_stays_as_it_is() {
     assert!((now.likelihood.sigma - 0.25).abs() < 1e-12);
 }
 
-/// A round in which one particle after the other was touched at f′ = 0.5.
+/// A round in which each particle was exposed to f′ = 0.5.
 fn plain(count: usize) -> ObservedRound {
     let places: Vec<Point2> = (0..count)
         .map(|i| Point2::new(0.02 * i as f64, 0.0))
@@ -294,7 +297,7 @@ fn what_teaches_nothing_is_refused_by_name() {
         words.ends_with("area_m2 = NaN is not within 1e-9 to 1e6 m²"),
         "{words}"
     );
-    // What nobody touched tells nothing.
+    // Particles without an exposure give no information.
     let (words, _) = refused(ObservedRound {
         exposures: vec![vec![Exposure::default()]; 20],
         ..plain(20)

@@ -1,4 +1,4 @@
-//! Large inputs: what is planned and believed near the limits, and what is refused beyond them.
+//! Large inputs: plans and beliefs near the limits, and errors beyond them.
 
 use std::collections::BTreeSet;
 use wisch::geometry::{Mesh, Point2, Point3, Polygon, Vector2, footprint};
@@ -108,7 +108,7 @@ fn a_surface_too_large_for_its_tool_is_refused_with_numbers_and_advice() {
         assert!(said.contains("exceed the limit of 100000"), "{said}");
         assert!(said.contains("take a wider tool"), "{said}");
     }
-    // What is planned where dirt lies is not: there is little.
+    // A plan by the density of dirt is not limited by the surface: there is little dirt.
     let task = task(Action::Absorb, [100.0, 100.0]);
     let found = plan(&task, &config(CoverageStrategy::Kde)).unwrap();
     assert!(found.graph.nodes.len() <= 10);

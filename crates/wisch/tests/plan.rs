@@ -1,4 +1,4 @@
-//! What must hold of plans: clearance, coverage, order, and predicted effect.
+//! Properties of all plans: clearance, coverage, order, and predicted effect.
 
 use proptest::prelude::*;
 use wisch::geometry::{Mesh, Point2, Pose, Vector2, Vector3};
@@ -22,7 +22,7 @@ fn cuboid(size: [f64; 3], at: [f64; 3]) -> SceneObject {
     }
 }
 
-/// Particles on a fine lattice: every place of the surface counts alike.
+/// Particles on a fine lattice, so that every place of the surface has the same weight.
 fn lattice([x, y]: [f64; 2], per_side: usize) -> Vec<Point2> {
     let at = |i: usize, length: f64| ((i as f64 + 0.5) / per_side as f64 - 0.5) * length;
     (0..per_side)
@@ -75,7 +75,8 @@ fn distance_to_segment(point: Point2, from: Point2, to: Point2) -> f64 {
     (from.x + share * x - point.x).hypot(from.y + share * y - point.y)
 }
 
-/// The way of the tool centre point in contact: each stroke's legs, a touch being one of no length.
+/// The path of the tool centre point in contact: the segments of each stroke; a touch has one of
+/// length 0.
 fn legs(plan: &Plan) -> Vec<(Point2, Point2)> {
     let motions = plan.strokes.iter().flat_map(wisch::plan::Stroke::motions);
     motions
@@ -83,7 +84,8 @@ fn legs(plan: &Plan) -> Vec<(Point2, Point2)> {
         .collect()
 }
 
-/// The share of points that lie further than this from every leg and from every node on its way to a goal.
+/// Share of points that are further than this from every segment and from every node on its path to
+/// a goal.
 fn share_beyond(points: &[Point2], plan: &Plan, radius: f64) -> f64 {
     let nodes = plan.graph.nodes.iter().enumerate();
     let nodes = nodes.filter(|(i, _)| !plan.graph.unreachable.contains(i));
@@ -127,7 +129,7 @@ impl Block {
     }
 }
 
-/// Everything that is wrong with a plan.
+/// Returns all faults of a plan.
 fn faults(task: &Task, plan: &Plan) -> Vec<String> {
     let space = space(task);
     let mut faults = Vec::new();
@@ -251,8 +253,9 @@ fn every_strategy_keeps_clear_and_does_no_less_and_no_more_than_its_strokes_reac
                 ratio <= 1.0 - beyond + 1e-12,
                 "{strategy} {action}: {ratio}, {beyond} out of reach"
             );
-            // A sponge that absorbs takes up whatever comes within half its narrow side. What is pushed may be
-            // left where a stroke turns, and the random tree's turn most.
+            // A sponge that absorbs reaches all particles within half its narrow side. Particles
+            // that are pushed may be left where a stroke turns, and the strokes of the random tree
+            // turn most.
             let floor = match (action, strategy) {
                 (Action::Absorb, _) => 1.0 - share_beyond(&points, &plan, 0.035),
                 (_, CoverageStrategy::Rrt) => 0.6,
@@ -422,11 +425,12 @@ fn what_stands_apart_is_not_joined_to_the_goal_but_within_reach() {
     for &i in &plan.graph.unreachable {
         assert!(plan.graph.position(i).x < -0.1);
     }
-    // What lies beyond the wall, but for what a stroke on this side comes near to.
+    // The particles beyond the wall are missed, except for those near strokes on this side.
     let points = lattice([0.8, 0.4], 12);
     let beyond = share_beyond(&points, &plan, task.tool.collision_radius());
     assert!(beyond >= 4.0 / 12.0, "{beyond}");
-    // No pose covers what lies where the wall stands, and all else is covered by one on its side of it.
+    // No pose covers the particles inside the wall, and all others are covered from their side of
+    // it.
     assert_eq!(plan.unreachable_share, 1.0 / 12.0);
 }
 
@@ -490,7 +494,7 @@ fn no_pose_of_the_tool_covers_the_corner_between_two_walls() {
         space.unreachable_share(&[], &task.tool.footprint, &Vector2::zeros()),
         0.0
     );
-    // Of one place that is in reach and three that stand in the wall.
+    // One place can be reached, and three are inside the wall.
     let places = [at(2.0 * gap), at(-0.02), at(-0.015), at(-0.02)];
     let share = space.unreachable_share(&places, &task.tool.footprint, &Vector2::zeros());
     assert_eq!(share, 0.75);
@@ -565,7 +569,7 @@ fn the_fault_finder_finds_planted_faults() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Whatever stands on the surface, no stroke touches it and no particle is forgotten.
+    /// With any objects on the surface, no stroke touches one and no particle is forgotten.
     #[test]
     fn plans_keep_clear_of_random_scenes(
         blocks in prop::collection::vec(((0.03..0.15f64, 0.03..0.15f64), (-0.4..0.4f64, -0.25..0.25f64), 0.02..0.3f64, -3.0..3.0f64), 0..5),
@@ -591,7 +595,8 @@ proptest! {
                 let radius = task.tool.collision_radius();
                 let missed = share_beyond(&points, &plan, radius);
                 prop_assert!(plan.unreachable_share <= missed, "{} {missed}", plan.unreachable_share);
-                // Between two places a step of the march apart that are clear, half a step can be missed.
+                // Clearance is checked in steps, so that half a step between two clear places can
+                // be missed.
                 for (from, to) in legs(&plan) {
                     for i in 0..=50 {
                         let place = from + (to - from) * (f64::from(i) / 50.0);

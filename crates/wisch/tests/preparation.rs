@@ -9,7 +9,7 @@ use wisch::run::{
 };
 use wisch_io::{LoadOptions, LoadedTask, Robot, load_task};
 
-/// A robot that follows its path, notes every call, and fails in the call of this name.
+/// A robot that follows its path, records every call, and fails in the call of this name.
 #[derive(Default)]
 struct Noting {
     calls: Vec<&'static str>,

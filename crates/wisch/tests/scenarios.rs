@@ -67,9 +67,9 @@ fn the_grids_path_is_within_5_percent_of_the_papers() {
     }
 }
 
-/// How far the mean performance of a cell may fall below what PAPER.md publishes [%].
+/// Largest difference by which the mean performance of a cell may be below that of PAPER.md [%].
 const PERFORMANCE_MARGIN: f64 = 2.0;
-/// How far its mean distance in contact may be off that [1].
+/// Largest relative difference of its mean distance in contact from that of PAPER.md [1].
 const DISTANCE_MARGIN: f64 = 0.05;
 /// Seeds of the published table.
 const SEEDS: RangeInclusive<u64> = 17_500..=17_504;
@@ -105,7 +105,7 @@ fn published() -> Vec<(String, String, [[f64; 2]; 3])> {
         .collect()
 }
 
-/// What is below or off what is published of a cell.
+/// Returns the values of a cell that are below or different from the published ones.
 fn off(cell: &str, [performance, distance]: [f64; 2], published: [f64; 2]) -> Vec<String> {
     let [least, length] = published;
     let mut off = Vec::new();
@@ -183,7 +183,7 @@ fn dirt_lies_on_the_surface_and_not_where_things_stand() {
     }
 }
 
-/// What is planned for a scenario as its file has it, and the performance predicted for that.
+/// Returns the plan of a scenario with the settings of its file, and the predicted performance.
 fn as_planned(name: &str) -> (TaskFile, Task, Plan, f64) {
     let LoadedTask { file, task, .. } = loaded(name, None, 1);
     let config = PlanConfig {
@@ -208,7 +208,7 @@ fn chippings_and_sand_are_swept_with_the_very_same_motion() {
     );
     assert_eq!(plan.strokes, same.strokes);
     assert!(performance >= file.run.target, "{performance}");
-    // What differs is how likely the bristles take a grain along.
+    // The probability that the bristles push a grain differs.
     let likelihood = |task: &Task| task.interaction.likelihood.probability(1.0);
     assert!(likelihood(&chippings) > 2.0 * likelihood(&sand));
     assert!(chippings.tool.is_half_turn_symmetric() && chippings.tool.second_grip.is_some());
@@ -233,7 +233,7 @@ fn wiper_and_brush_clean_the_same_panel() {
     assert!(likelihood(&wiper) > 2.0 * likelihood(&brush));
 }
 
-/// Greedy wiping as it goes if every segment does what is predicted.
+/// Greedy wiping by segments, if every segment has the predicted effect.
 #[test]
 fn segment_by_segment_the_board_is_wiped() {
     // Plans that are tried for a segment, and segments that may be needed.
@@ -284,7 +284,8 @@ fn segment_by_segment_the_board_is_wiped() {
     }
 }
 
-/// A plan that loses nothing is better than one that brings a little more home and loses as much.
+/// A plan that loses nothing is better than one that brings a little more to the goal and loses as
+/// much.
 #[test]
 fn among_variants_a_plan_that_pushes_less_over_the_edge_is_chosen() {
     let config = |seed| PlanConfig {

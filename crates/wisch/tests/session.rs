@@ -1,4 +1,5 @@
-//! The loop with executors and observers of the test's own: where it ends, and what it never does.
+//! The loop with executors and observers of the tests: when it ends, and which calls it never
+//! makes.
 
 mod executor_data;
 
@@ -71,7 +72,7 @@ fn robot(loaded: &LoadedTask) -> Robot {
     loaded.robot().expect("a robot").expect("it names one")
 }
 
-/// What happened, without what repeats itself.
+/// Returns the kind of an event.
 fn kind(event: &RunEvent<'_>) -> &'static str {
     match event {
         RunEvent::Planning { .. } => "planning",
@@ -103,7 +104,8 @@ const ROUND: [&str; 9] = [
     "decided",
 ];
 
-/// Runs a session that is stopped at the first event of a kind; which kinds of events there were, and the verdict.
+/// Runs a session that is stopped at the first event of a kind. Returns the kinds of its events,
+/// and the verdict.
 fn stopped_at(
     loaded: &LoadedTask,
     robot: &Robot,
@@ -136,7 +138,8 @@ fn stopped_at(
     (seen, verdict, session.into_rounds())
 }
 
-/// A toy that also sees: all the dirt where it is believed to lie, and after a round all of it in the middle of the goal.
+/// A toy with a camera: it detects all the dirt at its believed positions before the first round,
+/// and in the middle of the goal after a round.
 struct SeeingToy {
     toy: Toy,
     goal: Point2,
@@ -209,7 +212,7 @@ fn a_toy_that_sees_the_dirt_at_the_goal_meets_it() {
             .map(|seen| seen.detections.len()),
         Some(count)
     );
-    // A session that may not look asks for nothing.
+    // A session without a camera requests no observation.
     let touch_only = RunConfig {
         sight: None,
         ..loaded.run.clone()
@@ -378,7 +381,7 @@ fn a_session_without_a_robot_or_an_executor_says_so() {
     assert_eq!(error, "round 1: there is no executor for this motion");
 }
 
-/// Stands for a driver that counts the joints otherwise.
+/// A driver with another number of joints.
 struct Headless;
 
 impl Executor for Headless {
@@ -414,7 +417,7 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     let mut loaded = loaded();
     loaded.run.plan.strategy = Strategy::Best;
     loaded.run.plan.search.evaluations = 2_000;
-    // The arm turns the tool as planned, where it does not have to turn it on the spot.
+    // The arm can follow the planned yaw if the tool need not turn on the spot.
     loaded.run.plan.yaw = YawRule::Blended;
     let robot = robot(&loaded);
     let session = || Session::new(&loaded.task, loaded.run.clone());
@@ -432,12 +435,13 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
         let [predicted, without] =
             [one, alone].map(|one| one.prediction.as_ref().expect("a plan").performance);
         if predicted != without {
-            // Where a wrist comes to its end the tool is turned a little otherwise.
+            // At the limit of a wrist joint, the yaw of the tool differs a little.
             assert!(predicted.achieved.abs_diff(without.achieved) <= 2);
             continue;
         }
         as_planned += 1;
-        // All is reached: what the robot changes is what its time costs, a part in a hundred for half a minute.
+        // All nodes are reached. The robot only adds the cost of time, one percent for half a
+        // minute.
         let [score, without] =
             [one, alone].map(|one| one.candidate.as_ref().expect("a plan").score.total);
         let cost = without - score;
@@ -464,7 +468,7 @@ fn the_best_of_all_plans_has_the_highest_score_with_the_robot() {
     let best = best.and_then(|best| best.candidate.as_ref().ok());
     assert_eq!(session.plan(), best.map(|best| &best.plan));
 
-    // A robot that reaches nothing has no plan, and says why of each.
+    // For a robot that reaches nothing, every strategy has a reason instead of a plan.
     loaded.task.surface.world_from_surface.translation.vector.x += 10.0;
     let far = Session::new(&loaded.task, loaded.run.clone()).with_robot(robot.robot_setup());
     for one in far.evaluate_candidates().expect("plans") {
@@ -508,13 +512,14 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
     );
 }
 
-/// Stops itself after this time of its first motion, and notes where its motions begin and end.
+/// A robot that stops itself after this time of its first motion, and records the begins and ends
+/// of its motions.
 struct Guarded {
     toy: Toy,
     stops_at: f64,
-    /// Where each motion began.
+    /// Joint positions at the begin of each motion.
     begins: Vec<Vec<f64>>,
-    /// Where the last one ended.
+    /// Joint positions at the end of the last motion.
     stands: Vec<f64>,
     kind: StopKind,
 }
@@ -596,13 +601,13 @@ fn after_a_protective_stop_the_robot_waits_unless_the_task_says_otherwise() {
         let [first, second] = retreating.rounds() else {
             panic!("{stops_at}: {} rounds", retreating.rounds().len());
         };
-        // An arm on a table that stays needs its scene but once.
+        // If the surface has not moved, the workcell is reused.
         let [(before, cell), (after, same)] = [first, second].map(|round| {
             let PlannedRound { task, cell, .. } = &round.motion;
             (task.surface.world_from_surface, cell)
         });
         assert_eq!(Arc::ptr_eq(cell, same), before == after, "{stops_at}");
-        // It begins where the robot was stopped, and lifts the tool before all else.
+        // The next motion begins where the robot was stopped, and first lifts the tool.
         assert_eq!(guarded.begins[1], stopped[0], "{stops_at}");
         assert!(second.audit.is_sound(), "{stops_at}");
         let motions = &second.motion.followed.motions;

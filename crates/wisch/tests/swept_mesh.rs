@@ -21,7 +21,7 @@ const COMPRESSION: f64 = 0.01;
 const PLACES: usize = 20_000;
 /// Distance between poses of the sweep [m].
 const STEP: f64 = 1e-3;
-/// Largest share of places that are touched otherwise than predicted [1].
+/// Largest share of places at which contact differs from the prediction [1].
 const OTHERWISE: f64 = 0.015;
 /// Least share of places that are touched [1].
 const TOUCHED: f64 = 0.999;
@@ -175,7 +175,8 @@ fn press(places: &[Place], poses: &[Pose], density: f64) -> Sweep {
     found
 }
 
-/// Result of the comparison: shares of places touched otherwise than predicted, and touched, and the lean [rad].
+/// Result of the comparison: share of places at which contact differs from the prediction [1],
+/// share of touched places [1], and lean [rad].
 #[derive(Debug)]
 struct Comparison {
     otherwise: f64,

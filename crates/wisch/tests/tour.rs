@@ -51,7 +51,7 @@ fn unrelated_costs(node_count: usize, seed: u64) -> CostMatrix {
     CostMatrix::from_fn(node_count, |_, _| rng.random_range(-1.0..10.0)).expect("finite costs")
 }
 
-/// From `start` always on to the cheapest node that is left.
+/// Tour from `start` that always continues with the cheapest unvisited node.
 fn nearest_neighbours(costs: &CostMatrix, start: usize) -> Vec<usize> {
     let mut order = vec![start];
     while order.len() < costs.node_count() {
@@ -221,7 +221,7 @@ fn forbidden_moves_are_avoided_where_they_can_be() {
     let path = shortest_path_from(&costs, 2, &TourConfig::default()).unwrap();
     assert!(costs.path_cost(&path) < FORBIDDEN);
 
-    // A ring has to come back, and the one door is used up.
+    // A closed tour has to return, but the only door is used already.
     let tour = shortest_tour(&costs, &TourConfig::default());
     let forbidden_moves = (costs.tour_cost(&tour) / FORBIDDEN).floor();
     assert_eq!(forbidden_moves, 1.0);

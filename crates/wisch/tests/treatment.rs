@@ -57,7 +57,7 @@ fn a_pass_is_the_way_of_the_tool_over_a_place_over_its_length() {
     let near = Point2::new(0.02, 0.01);
     let expected = near.coords.norm() / 0.07;
     assert!((passes(&pad(), near, &[turn]) - expected).abs() < 1e-9);
-    // Two halves with a gap between them are as good as one: what is slid over is what counts.
+    // Two halves with a gap count as one piece: passes are the distance over which the tool slides.
     let half = |x: f64| {
         let corners = Polygon::rectangle(Vector2::new(0.02, 0.11));
         let moved = corners.outer().iter().map(|p| p + Vector2::new(x, 0.0));
@@ -91,7 +91,7 @@ fn splitting_a_motion_changes_no_passes() {
     }
 }
 
-/// A plate in the open, whose places want a treatment.
+/// A plate without a scene, with a treatment of its points.
 fn task(action: Action, treatment: Treatment, size: [f64; 2]) -> Task {
     let mut task = board(Action::Absorb, [0.0, 0.0, 0.0]);
     task.scene.clear();
@@ -116,7 +116,7 @@ fn polish(passes: u32, size: [f64; 2]) -> Task {
     task(Action::Polish, treatment, size)
 }
 
-/// A coat of a tenth of a millimetre, and the passes of the sponge that leave it.
+/// Paint of a tenth of a millimetre, which the sponge dispenses in this number of passes.
 fn paint(coats: f64, size: [f64; 2]) -> Task {
     let thickness = 1e-4;
     let volume_per_metre = thickness * TOOL[1] / coats;
@@ -152,7 +152,8 @@ fn lanes_pass_every_place_on_hardly_more_than_the_shortest_way() {
         let shortest = size[0] * size[1] / TOOL[1] * f64::from(wanted);
         let way = plan.contact_distance() / shortest;
         assert!(way <= 1.3, "{wanted} {size:?}: {way}");
-        // What lies between two lanes is gone over once more than wanted, and corners a little more.
+        // Points between two lanes get one pass more than required, and those in corners a little
+        // more.
         let after = predict(&task, &plan, |_| ()).particles;
         let most = f64::from(wanted) + 1.5;
         let above = after
@@ -164,7 +165,7 @@ fn lanes_pass_every_place_on_hardly_more_than_the_shortest_way() {
             "{wanted} {size:?}: {above} of {}",
             after.len()
         );
-        // It is the number of passes that takes the way.
+        // The length of the path is due to the number of passes: a further pass is not reached.
         let mut more = plan.clone();
         more.graph.goal = GoalState::Polished { passes: wanted + 1 };
         assert!(share(&task, &more) < 0.5, "{wanted} {size:?}");
@@ -414,7 +415,8 @@ fn the_effect_of_a_hovering_tool_follows_from_its_poses_without_force() {
     assert!(near > 0.9, "{near}");
     let (found, far) = estimated(&task, &stroke(&task, 0.05, 0.0));
     assert_eq!((found, far), (Diagnosis::Hovering, 0.0));
-    // If a tool should touch and no force is measured, the performance is unknown: the force may be misread.
+    // If a tool with contact measures no force, the performance is unknown: the force may be
+    // misread.
     task.interaction.gap_m = 0.0;
     let found = read(&task, &stroke(&task, 0.0, 0.0), Uncertainty::default());
     assert_eq!(found.diagnosis, Diagnosis::NoContact);

@@ -1,15 +1,16 @@
-//! The tutorial: its programs run and say what they should, are short, and stand in `docs/tutorial.md` as they are.
+//! The tutorial: its programs run, print the documented output, are short, and are equal to those
+//! in `docs/tutorial.md`.
 
 use std::cell::RefCell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 thread_local! {
-    /// What the program that runs in this thread has printed.
+    /// The output of the program that runs in this thread.
     static PRINTED: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// In the programs below, instead of that of the standard library.
+/// Replaces the macro of the standard library in the programs below.
 macro_rules! println {
     ($($argument:tt)*) => {
         super::PRINTED.with_borrow_mut(|text| {
@@ -43,10 +44,10 @@ const PROGRAMS: [&str; 6] = [
     "05_interpret",
     "06_ask",
 ];
-/// Most lines of code of a program, but for what it imports and the paths of its files.
+/// Largest number of lines of code of a program, without imports and paths of files.
 const MOST_LINES: usize = 25;
 
-/// What a program prints.
+/// Returns the output of a program.
 fn printed(program: fn() -> Outcome) -> String {
     program().unwrap_or_else(|error| panic!("{error}"));
     PRINTED.take()
@@ -120,7 +121,8 @@ fn the_fifth_plans_from_a_bag() {
     );
 }
 
-/// Without an engine it says how to get one. Where CI builds the whole workspace there is one.
+/// Without an engine, the program prints how to install one. CI has one where it builds the whole
+/// workspace.
 #[test]
 fn the_sixth_asks_the_memory() {
     let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");

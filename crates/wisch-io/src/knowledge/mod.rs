@@ -39,7 +39,7 @@ pub enum KnowledgeFileError {
     /// The text is not TOML, or its keys are not those of a knowledge file.
     #[error("{at}: {message}")]
     Syntax {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// Message of the TOML parser.
         message: String,
@@ -50,7 +50,7 @@ pub enum KnowledgeFileError {
         record::SCHEMA
     )]
     Schema {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// The schema of the file.
         found: i64,
@@ -62,7 +62,7 @@ pub enum KnowledgeFileError {
         SurfaceScope::ANY_NAME
     )]
     BadName {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// The given name.
         name: String,
@@ -80,7 +80,7 @@ pub enum KnowledgeFileError {
     /// An entry refers to an undefined name.
     #[error("{at}: {error}")]
     UnknownReference {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// The name and similar names.
         #[source]
@@ -89,7 +89,7 @@ pub enum KnowledgeFileError {
     /// A number outside its limits.
     #[error("{at}: {field} = {value} is outside its limits: {limits}")]
     OutOfRange {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// The key, which ends in its unit.
         field: &'static str,
@@ -101,7 +101,7 @@ pub enum KnowledgeFileError {
     /// An entry is inconsistent or incomplete.
     #[error("{at}: {problem}")]
     Inconsistent {
-        /// Where.
+        /// Location of the error in the file.
         at: Place,
         /// The problem.
         problem: String,

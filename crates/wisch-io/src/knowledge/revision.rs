@@ -9,7 +9,8 @@ use wisch::represent::{Interaction, LogNormal};
 /// A learned interaction, with which an entry of the knowledge base is revised.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InteractionRevision {
-    /// The interaction with its new law, spreads and ℓ; the other values are unchanged.
+    /// The interaction with the new values of μ, σ and the redraw length ℓ, and their spreads; its
+    /// other values are unchanged.
     pub interaction: Interaction,
     /// Source of the new values, one sentence per line.
     pub source: Vec<String>,

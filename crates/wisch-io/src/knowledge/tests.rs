@@ -11,7 +11,7 @@ fn shipped() -> KnowledgeBase {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The least that holds one of everything, to be broken at will.
+/// The smallest text with an entry of each kind, of which tests replace pieces.
 const SMALL: &str = r#"schema = 1
 [[tool]]
 name = "squeegee"
@@ -44,7 +44,7 @@ mu = 0.0
 sigma = 1.0
 "#;
 
-/// What reading `SMALL` says after one piece of it is replaced.
+/// Returns the error of reading `SMALL` after one piece of it is replaced.
 fn error_after(piece: &str, by: &str) -> String {
     assert_eq!(SMALL.matches(piece).count(), 1, "{piece} must occur once");
     let text = SMALL.replace(piece, by);
@@ -474,7 +474,7 @@ proptest! {
     }
 }
 
-/// How `SMALL`'s tool is held, if its file says so.
+/// The grips of the tool in `SMALL`, as keys of its entry.
 const GRIPS: &str = r#"grip = { point_m = [0.0, 0.1, 0.9], hand_rpy_rad = [0.1, 0.0, 0.0] }
 second_grip = { point_m = [0.0, 0.0, 1.2], axis_in_tool = [0.0, 0.0, 1.0], max_lean_rad = 0.6 }
 grasp = "by the handle""#;

@@ -1,4 +1,4 @@
-//! A file that is written aside and then moved to its target.
+//! A file that is written beside its target under another name, and then moved there.
 
 use super::fault::{OTHER_FILE, cannot_write_file, refused};
 use super::{Unfinished, UnfinishedPath};

@@ -94,8 +94,9 @@ pub fn path_in_results(name: &str) -> PathBuf {
     Path::new(subfolder(name)).join(name)
 }
 
-/// A folder that is written aside and appears at its target complete or not at all. An interruption removes it; if the
-/// process is killed, the next folder for the same target does.
+/// A folder that is written beside its target under another name, and appears there complete or not
+/// at all. An interruption removes it; if the process is killed, the next folder for the same
+/// target does.
 pub struct NewFolder {
     target: PathBuf,
     staging: StagingDir,

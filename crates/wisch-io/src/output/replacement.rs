@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_kill_at_any_moment_loses_neither_old_nor_new_results() {
-        // Before the new ones are whole: the old ones stand there.
+        // A kill before the new results are complete: the old ones are at the target.
         let (_parent, staging, target) = folders();
         assert_eq!(
             complete(&staging, &target).expect("seen to"),
@@ -159,7 +159,7 @@ mod tests {
         );
         assert_eq!(found(&target), "old");
 
-        // Between the two renames: the new ones were whole.
+        // A kill between the two renames: the new results are complete.
         let (_parent, staging, target) = folders();
         let whole = identity(&staging.join(NEW))
             .expect("a folder")
@@ -172,7 +172,7 @@ mod tests {
         );
         assert_eq!(found(&target), "new");
 
-        // The same by a program that did not say that they were whole.
+        // The same without the mark that the new results are complete.
         let (_parent, staging, target) = folders();
         fs::rename(&target, staging.join(OLD)).expect("moved");
         assert_eq!(

@@ -29,8 +29,9 @@ pub struct KilledRuns {
     pub is_finished: bool,
 }
 
-/// A hidden folder beside a target, on the same file system. It is removed when dropped. What a killed run left and another took
-/// over is removed only after its results have reached their target: until then it can be resumed.
+/// A hidden folder beside a target, on the same file system. It is removed when dropped. A folder
+/// that was taken over from a killed run is removed only after the results have reached their
+/// target: until then the run can be resumed.
 #[derive(Debug)]
 pub(super) struct StagingDir {
     path: PathBuf,

@@ -1,4 +1,4 @@
-//! Files and folders that are written aside and not in place yet, which an interrupted program removes.
+//! Files and folders that are not at their targets yet, which an interrupted program removes.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
-/// What this process would leave behind if it ended now, by a number.
+/// The files and folders that this process would leave behind if it ended now, by a number.
 static UNFINISHED: Mutex<Register> = Mutex::new(Register {
     next: 0,
     paths: BTreeMap::new(),
@@ -50,7 +50,8 @@ fn try_register() -> Option<MutexGuard<'static, Register>> {
     }
 }
 
-/// Files and folders that are written aside, which [`remove_unfinished`] removes while this guard exists.
+/// Files and folders that are not at their targets yet, which [`remove_unfinished`] removes while
+/// this guard exists.
 ///
 /// ```
 /// use wisch_io::{Unfinished, UnfinishedPath};

@@ -239,7 +239,7 @@ fn a_photo_from_above_gives_positions_by_the_rule_of_three() {
 
 #[test]
 fn a_slanted_photo_is_set_right() {
-    // A pinhole camera: what is further up the board is further away.
+    // A pinhole camera: points with a larger y are farther away.
     let pixel_of = |x: f64, y: f64| {
         let depth = 1.0 + 0.8 * y + 0.3 * x;
         [220.0 + 450.0 * x / depth, 160.0 - 420.0 * y / depth]
@@ -400,7 +400,7 @@ fn interlaced_and_progressive_photos_are_read() {
 fn a_png_of_too_many_pixels_is_refused_before_it_is_decoded() {
     let (board, bare) = (board(), bare());
     let mut bytes = encoded(2, 2, (::png::ColorType::Grayscale, 8), &[0; 4]);
-    // Width and height, and the checksum of what says so.
+    // Width and height, and the checksum of the chunk that states them.
     bytes[16..24].copy_from_slice(&[0, 1, 0, 0, 0, 1, 0, 0]);
     bytes[29..33].copy_from_slice(&0x49ef6f3f_u32.to_be_bytes());
     let refused = mask_particles(&photo(STRAIGHT, 5), &bytes, on(&board, &bare), 1);

@@ -11,7 +11,7 @@ const MAX_REAL_TIME_LINES: usize = 20_000;
 /// Most bytes of these lines.
 const MAX_BYTES: usize = 32 << 20;
 
-/// A line, or the reason why no more count.
+/// A line, or the reason why further lines are ignored.
 type Line = Result<String, String>;
 
 /// A bounded queue of lines between the thread that reads a child's output and the thread that takes them.
@@ -34,11 +34,13 @@ struct Waiting {
     has_ended: bool,
     /// Whether no more lines are taken.
     is_closed: bool,
-    /// Whether the reading thread waits for space, so that the child's silence would say nothing.
+    /// Whether the reading thread waits for space; then the child may be unable to write, and its
+    /// silence is no fault.
     is_full: bool,
     /// The watch over a motion.
     watch: Option<Watch>,
-    /// The fault that the last watch has noticed, as it is among the lines; empty if it is none of silence.
+    /// The silence that the last watch has noticed, as the text that was added to the lines; empty
+    /// for another fault, `None` without a fault.
     noticed: Option<String>,
 }
 
@@ -55,7 +57,7 @@ struct Watch {
     has_failed: bool,
 }
 
-/// Why no line was taken.
+/// The reason why no line was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum NoLine {
     /// There was none within the time.
@@ -109,7 +111,7 @@ impl Backlog {
         waiting.noticed.is_some()
     }
 
-    /// Removes the fault that the last watch has noticed from the lines that wait.
+    /// Removes the silence that the last watch has noticed from the lines that wait.
     pub fn forget_fault(&self) {
         let mut waiting = self.lock();
         if let Some(fault) = waiting.noticed.take() {

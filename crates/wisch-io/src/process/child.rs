@@ -75,7 +75,8 @@ impl ChildGroup {
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
-        // Ctrl-C reaches this program alone, which tells the child to stop; and a wrapper ends with what it wraps.
+        // Ctrl-C then reaches this program alone, which tells the child to stop. Ending the group
+        // also ends the program that a wrapper script runs.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
@@ -119,7 +120,7 @@ impl ChildGroup {
         let _ = self.input.as_ref().map(|input| input.send(line));
     }
 
-    /// The lines that wait to be heard.
+    /// The received lines that wait to be taken.
     pub const fn backlog(&self) -> &Backlog {
         &self.lines
     }
@@ -138,7 +139,8 @@ impl ChildGroup {
         }
     }
 
-    /// Takes a line that has arrived already, or the reason why no more count; `None` if there is neither.
+    /// Takes a line that has arrived already, or the reason why further lines are ignored; `None`
+    /// if there is neither.
     pub fn take_unasked(&self) -> Option<Result<String, String>> {
         let taken = self.lines.take(Instant::now()).ok();
         taken.map(|(_, line)| line)
@@ -249,7 +251,7 @@ pub(super) struct MotionWatch {
 }
 
 impl MotionWatch {
-    /// Ends the watch while the motion goes on. Returns whether it has stopped the child.
+    /// Ends the watch before the motion ends. Returns whether it has stopped the child.
     pub fn end(&self) -> bool {
         self.lines.end_watch()
     }
@@ -259,7 +261,7 @@ impl Drop for MotionWatch {
     fn drop(&mut self) {
         self.lines.end_watch();
         let _ = self.thread.take().map(JoinHandle::join);
-        // Whatever ended the motion, its silence is no fault of what follows.
+        // A silence during this motion is no fault of the next request.
         self.lines.forget_fault();
     }
 }

@@ -17,7 +17,7 @@ const UNIT_TOLERANCE: f64 = 1e-3;
 const LAST_SAMPLE: f64 = 1.0;
 /// Maximum time by which a motion's reported duration may exceed its samples [s].
 const UNMEASURED: f64 = 60.0;
-/// What a wrong time of a sample has to be.
+/// Advice for a sample whose time is wrong.
 const SINCE_BEGIN: &str = "time_s counts from the begin of the motion, not from that of a clock";
 /// Maximum time by which a motion's reported duration may be below the time of the last sample [s].
 const ROUNDED: f64 = 2.0;
@@ -67,10 +67,11 @@ pub struct SampleRecord {
     pub moment_nm: [f64; 3],
     /// Commanded pose of the tool, including the press into the surface; `None` takes the measured pose.
     pub world_from_commanded: Option<[f64; 7]>,
-    /// Commanded force of the tool \[N\].
+    /// Force that the controller exerts with the tool, in the axes of the world \[N\].
     #[serde(default)]
     pub controller_force_n: [f64; 3],
-    /// Its moment \[Nm\].
+    /// Moment that the controller exerts about the tool centre point, in the axes of the world
+    /// \[Nm\].
     #[serde(default)]
     pub controller_moment_nm: [f64; 3],
     /// Positions of all n variables of the robot, or empty if not measured [rad or m].
@@ -219,7 +220,7 @@ fn check(key: &str, values: &[f64], most: f64) -> Result<(), String> {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DoneRecord {
-    /// Duration \[s\].
+    /// Duration of the execution \[s\].
     pub duration_s: f64,
     /// The ending.
     pub ending: EndingRecord,
@@ -571,7 +572,8 @@ impl<'a> Intake<'a> {
         }
     }
 
-    /// Checks that the tool is where robots are. `time`: trajectory time [s].
+    /// Checks that the tool is within [`MAX_ASTRAY`] of its planned position. `time`: trajectory
+    /// time [s].
     fn check_place(&self, time: f64, world_from_tool: &Pose) -> Result<(), String> {
         let tool = Point3::from(world_from_tool.translation.vector);
         let planned = self.clock.tool_position(time);

@@ -226,13 +226,14 @@ impl ProcessExecutor {
         Ok(())
     }
 
-    /// Sends a request, unless the child has sent something that nobody asked for.
+    /// Sends a request, unless the child has sent a message without a request, which is an error.
     fn ask(&mut self, request: &ToChild<'_>) -> Result<(), ExecutorError> {
         self.check_unasked()?;
         self.say(request)
     }
 
-    /// Refuses a message that has arrived without a request: what would be its answer is not known.
+    /// Refuses a message that has arrived without a request: it would be taken for the answer to
+    /// the next one.
     fn check_unasked(&mut self) -> Result<(), ExecutorError> {
         let Some(line) = self.child.take_unasked() else {
             return Ok(());
@@ -245,7 +246,7 @@ impl ProcessExecutor {
         }
     }
 
-    /// Waits for the next message until the deadline, or until what it heeds.
+    /// Waits for the next message until the deadline, or until an event that `heeds` names.
     fn hear(
         &mut self,
         deadline: Instant,
@@ -339,7 +340,8 @@ impl Executor for ProcessExecutor {
             return Ok(());
         }
         self.ask(&ToChild::Prepare)?;
-        // An interruption waits for the answer: a robot half prepared is worse than one that is prepared in vain.
+        // An interruption is handled after the answer: a robot that is prepared for nothing is
+        // better than one that is prepared by half.
         match self.hear(Instant::now() + self.silence, Heeds::Nothing)? {
             Ok(FromChild::Prepared) => {
                 self.is_prepared = true;
@@ -460,7 +462,8 @@ impl ProcessExecutor {
         Err(self.fault(format!("surface {name:?} {problem}")))
     }
 
-    /// Waits for "finished" after a fault or an interruption; what the child still says of what was broken off is ignored.
+    /// Waits for "finished" after a fault or an interruption; further messages about the
+    /// interrupted request are ignored.
     fn hear_finished(&mut self, deadline: Instant, limit: Duration) -> Result<(), ExecutorError> {
         loop {
             match self.child.hear(deadline, || true) {
@@ -577,7 +580,7 @@ impl ProcessExecutor {
     /// Passes the operator's wish to pause or to continue on to the child, once. `now`: time until which its messages are known.
     ///
     /// # Errors
-    /// If the child goes on although it was asked to pause.
+    /// If the child continues although it was asked to pause.
     fn ask_for_pause(
         &mut self,
         progress: &mut Progress,

@@ -58,14 +58,15 @@ impl Progress {
         self.sample_time = intake.time_reported();
     }
 
-    /// `patience`: limit of a motion without progress, and after a stop.
+    /// Returns the time until which the next message is awaited. `patience`: limit of a motion
+    /// without progress, and after a stop.
     pub fn deadline(&self, patience: Duration) -> Instant {
         match self.told {
             Some(told) => told + patience,
             None if self.is_paused => Instant::now() + patience,
             None => {
                 let until = self.at + patience + PROGRESS_ALLOWANCE;
-                // Whether it pauses is checked in time, too.
+                // The answer to a request to pause is due earlier.
                 (self.asked).map_or(until, |asked| until.min(asked + super::PAUSE_LIMIT))
             }
         }

@@ -8,7 +8,7 @@ use wisch::run::RunEvent;
 /// Schema number of the records of events.
 pub const EVENT_SCHEMA: u32 = 2;
 
-/// Every how many samples one is recorded: 20 per second at 1 kHz.
+/// Number of samples per recorded one: at 1 kHz, 20 per second are recorded.
 const EVERY: usize = 50;
 
 /// An event of a session with its round.

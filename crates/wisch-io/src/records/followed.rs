@@ -49,7 +49,7 @@ pub struct PlacementRecord {
 pub struct MotionRecord {
     /// drive, transfer, lifted, lower, wipe or lift.
     pub phase: &'static str,
-    /// For wipe the index of the stroke.
+    /// Index of the stroke, for the phase wipe only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stroke: Option<usize>,
     /// Start time.

@@ -31,11 +31,13 @@ pub struct InterpretationRecord {
     pub estimated_high: f64,
     /// Share that meets the goal.
     pub target_performance: f64,
-    /// Whether the goal may be claimed: the mean reaches the target, and that less than ten points below it are reached is
-    /// improbable (0.2 % at most).
+    /// Whether the verdict is "met": the mean reaches the target, the probability of a performance
+    /// more than ten percentage points below it is at most 0.2 %, the log allows an estimate, and
+    /// not too many points have more passes than is allowed.
     pub goal_met: bool,
-    /// "met", "not met", or "unknown": the log allows no estimate, or touch only cannot decide whether the target is
-    /// reached. If the log allows no estimate, the interval covers all possible values.
+    /// "met", "not met", or "unknown": the log allows no estimate, or touch alone cannot decide
+    /// whether the target is reached. If the log allows no estimate, the interval covers all
+    /// possible values.
     pub verdict: &'static str,
     /// Whether the log, or an observation after it, allows an estimate.
     pub is_conclusive: bool,

@@ -64,13 +64,14 @@ pub struct PlanRecord {
     pub edges: Vec<[usize; 2]>,
     /// Indices of the nodes that no valid edge connects to the goal.
     pub unreachable_nodes: Vec<usize>,
-    /// Share of the particles that the tool covers at no free position and yaw. What a file says of it is not used.
+    /// Share of the particles that the tool covers at no free position and yaw. The value in a file
+    /// is ignored.
     #[serde(default)]
     pub unreachable_share: f64,
     /// The strokes in their order.
     pub strokes: Vec<StrokeRecord>,
-    /// The corners of the tool centre point's whole path, lifted moves included. They follow from the strokes: what a file says of
-    /// them is not used.
+    /// The corners of the tool centre point's whole path, lifted moves included. They follow from
+    /// the strokes: the values in a file are ignored.
     #[serde(default)]
     pub tcp_path: Vec<WaypointRecord>,
 }
@@ -255,15 +256,15 @@ pub enum PlanRecordError {
     OtherTask {
         /// The quantity that differs.
         what: &'static str,
-        /// In the plan.
+        /// Value in the plan.
         found: String,
-        /// In the task.
+        /// Value in the task.
         expected: String,
     },
     /// A node that does not exist.
     #[error("{place} names node {index}, but there are {nodes} nodes (counted from 0)")]
     NoSuchNode {
-        /// Where.
+        /// Path of the faulty entry in the file.
         place: String,
         /// The index.
         index: usize,
@@ -273,7 +274,7 @@ pub enum PlanRecordError {
     /// A number outside its limits.
     #[error("{place} = {value} is outside its limits: {limits}")]
     OutOfRange {
-        /// Where.
+        /// Path of the faulty entry in the file.
         place: String,
         /// The value.
         value: f64,

@@ -16,9 +16,10 @@ const SAME_ANGLE: f64 = 1e-3;
 const MOST_TURNS: f64 = 2.0;
 
 impl PlanRecord {
-    /// Describes in sentences in what the task of the record's `plan` differs from `task`, where the plan is usable for both: the
-    /// pose of the surface, the size of the tool, and the goal; whether its path differs from that of its strokes; and whether a
-    /// heading has several turns. Empty if nothing differs.
+    /// Describes the differences between the task of the record's `plan` and `task`, one sentence
+    /// each, that leave the plan usable: of the pose of the surface, the size of the tool, and the
+    /// goal. Further sentences state that the path of the record is not that of its strokes, or
+    /// that a heading has several turns. Empty if nothing differs.
     ///
     /// ```
     /// # fn describe(record: &wisch_io::PlanRecord, plan: &wisch::plan::Plan, task: &wisch::represent::Task) {

@@ -9,13 +9,13 @@ use wisch::run::{Ending, Pause, Round};
 /// Durations of the stages of a round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RoundTimes {
-    /// Planning \[s\].
+    /// Duration of planning \[s\].
     pub planning_s: f64,
-    /// Following \[s\].
+    /// Duration of computing the motion that follows the plan \[s\].
     pub following_s: f64,
-    /// Executing \[s\].
+    /// Duration of the execution \[s\].
     pub executing_s: f64,
-    /// Interpreting \[s\].
+    /// Duration of the interpretation \[s\].
     pub interpreting_s: f64,
 }
 

@@ -287,8 +287,9 @@ impl Definitions {
 }
 
 impl InteractionTable {
-    /// Sets the given force in an interaction that is known at another one, and returns a sentence on what is assumed of
-    /// likelihood and compression; `None` if the file states them, or no other force.
+    /// Sets the given press force in an interaction that is known for another force, and returns a
+    /// sentence on the assumed likelihood and compression; `None` if the file states these, or no
+    /// other force.
     ///
     /// `has_tool`: whether the file defines the tool, with its compression.
     fn press(&self, known: &mut Interaction, has_tool: bool) -> Option<String> {

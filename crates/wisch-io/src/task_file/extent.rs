@@ -22,8 +22,9 @@ struct WrongExtent {
     advice: String,
 }
 
-/// Whether the longest side of a mesh is within its limits [m]; if not, the error says in which unit it probably is, one in which it
-/// is as long as is usual, and by `how` what to do about it.
+/// Checks that the longest side of a mesh is within its limits [m]. The error states the unit in
+/// which the mesh probably is, one in which it has a usual length, and the advice that `how`
+/// returns.
 fn check_extent(
     mesh: &Mesh,
     [least, most]: [f64; 2],
@@ -70,7 +71,7 @@ fn check_tool_mesh(mesh: &Mesh) -> Result<(), WrongExtent> {
     })
 }
 
-/// Whether the longest side of a tool's mesh is within the limits of tasks, 5 mm to 3 m.
+/// Checks that the longest side of a tool's mesh is within the limits of tasks, 5 mm to 3 m.
 ///
 /// # Errors
 /// If it is not: the length, the limits, and the unit in which the mesh probably is.

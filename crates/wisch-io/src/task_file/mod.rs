@@ -88,7 +88,8 @@ pub struct RobotRecord {
     pub group: Option<String>,
     /// SRDF planning group of a second hand on the tool; `None` for one hand.
     pub second_group: Option<String>,
-    /// Pose of its root, or its start pose; `None` if the file has none.
+    /// Pose of its root in the world; of a mobile base, its start pose. `None` if the file states
+    /// none.
     pub world_from_robot: Option<Pose>,
 }
 

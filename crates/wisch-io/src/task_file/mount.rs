@@ -13,7 +13,7 @@ const HAND_LEAN: f64 = 0.8;
 /// Reads the table `tool.mount`.
 ///
 /// # Errors
-/// Keys that belong to different mounts.
+/// If keys belong to different mounts.
 pub(super) fn mount(table: &At<MountTable>) -> Result<Mount, TaskError> {
     let given = &table.value;
     let on = given.on.as_ref();

@@ -1,4 +1,4 @@
-//! Remarks on a resolved task: what of its files was taken, and what is probably not meant.
+//! Remarks on a resolved task: which part of a file was used, and which values are probably errors.
 
 use super::carrier::carrier_remark;
 use super::extent::{LARGE_OBJECT, OBJECT_EXTENT, USUAL_OBJECT};
@@ -61,7 +61,8 @@ fn uncarried_remarks(task: &Task) -> Vec<String> {
     below.map(remark).collect()
 }
 
-/// Returns remarks on what of a mesh is the surface: the part that was taken, and a surface smaller than the tool.
+/// Returns remarks on the part of a mesh that is the surface: which one was taken, and whether it
+/// is smaller than the tool.
 fn surface_remarks(task: &Task) -> Vec<String> {
     let SurfaceShape::Mesh(mesh) = &task.surface.shape else {
         return Vec::new();
@@ -152,7 +153,7 @@ fn limit_underside(compression_depth: f64) -> f64 {
 }
 
 /// Returns the height of the lowest point of a tool's mesh over z = 0 of its file \[m\], if it is farther from there than 1 mm and
-/// than a tenth of the compression \[m\]; `None` for a mesh that lies as it should.
+/// than a tenth of the compression \[m\]; `None` for a smaller distance.
 ///
 /// `gap`: by how much the mesh was raised, for a tool that hovers \[m\].
 pub fn find_underside_offset(mesh: &Mesh, gap: f64, compression_depth: f64) -> Option<f64> {

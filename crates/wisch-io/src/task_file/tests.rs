@@ -8,7 +8,7 @@ mod execution;
 mod faults;
 mod treatment;
 
-/// A task without anything that could be left out, but for a cup on the table.
+/// A task with the required keys only, and a cup on the table.
 const SMALL: &str = r#"schema = 1
 name = "small"
 action = "skim"
@@ -472,7 +472,7 @@ fn a_task_may_override_what_the_knowledge_has() {
             "interaction.press_force_n is 4 N, and the knowledge base has 10 N: assuming that particles need the same force, and that the tool is as stiff up to twice its compression: interaction.mu = -0.134, so that 70.4 % of the particles react when the tool first touches them"
         ]
     );
-    // Elsewhere it is what it was.
+    // On other surfaces, the interaction is unchanged.
     let board = knowledge
         .interaction("sponge", "breadcrumbs", "chopping_board")
         .unwrap();

@@ -1,4 +1,4 @@
-//! A Prolog engine in a process of its own, and the lines exchanged with it.
+//! A Prolog engine in a separate process, and the lines exchanged with it.
 
 use super::definitions::definitions;
 use super::error::AskError;
@@ -21,11 +21,12 @@ const LINES_AHEAD: usize = 1024;
 /// Largest part of an engine's standard error that is read [bytes].
 const LONGEST_ERROR: u64 = 1 << 20;
 
-/// Memory of SWI-Prolog beside the stacks of queries: code, atoms, facts, stacks of its threads [bytes].
+/// Memory of SWI-Prolog in addition to the stacks of queries: code, atoms, facts, stacks of its
+/// threads [bytes].
 const SWI_ITSELF: u64 = 1 << 30;
 /// Interval between checks for an interrupt.
 const INTERRUPT_CHECK: Duration = Duration::from_millis(50);
-/// Processor time beside queries: start, and reading of the predicates [s].
+/// Processor time in addition to that of queries: start, and reading of the predicates [s].
 const PROCESSOR_SPARE_S: u64 = 30;
 
 /// Predicates that differ between Prolog systems.

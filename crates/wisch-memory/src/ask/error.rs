@@ -5,7 +5,7 @@ use crate::store::MemoryError;
 use std::fmt::Display;
 use std::time::Duration;
 
-/// A fault of a query that its author can mend.
+/// A fault in the text of a query, which the user can correct.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QueryFault {
     /// A name is unknown.
@@ -214,7 +214,7 @@ fn describe_error(error: &Term) -> String {
     }
 }
 
-/// Why a query has no result.
+/// The reason why a query has no result.
 #[derive(Debug, thiserror::Error)]
 pub enum AskError {
     /// The query is faulty.

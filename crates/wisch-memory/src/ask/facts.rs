@@ -113,8 +113,8 @@ impl SentFacts {
         facts
     }
 
-    /// Returns people's statements about a thing, with what is recorded of their properties: an engine that knows one value
-    /// of a property asks for no other.
+    /// Returns people's statements about a thing, together with the recorded values of the same
+    /// properties: an engine that has one value of a property does not ask for further ones.
     pub fn assertions(&mut self, known: &Knowledge, name: &str) -> Vec<Term> {
         if !self.assertions.insert(name.to_owned()) {
             return Vec::new();

@@ -85,7 +85,7 @@ impl Host {
         self.known.catalogue.describe_undated()
     }
 
-    /// Returns what is to be known of the memory whatever the query.
+    /// Returns remarks on the memory that apply to every query.
     pub fn remarks_on_memory(&self) -> Vec<String> {
         let catalogue = &self.known.catalogue;
         let mut remarks: Vec<String> = catalogue

@@ -1,4 +1,4 @@
-//! Queries in Prolog: an engine in a process of its own, whose requests the memory answers.
+//! Queries in Prolog: an engine in a separate process, whose requests the memory answers.
 //!
 //! A query is sent as text. `prolog/listing.pl` and `prolog/guard.pl` list the predicates that it may call. Facts are
 //! fetched on demand, and stay in the engine for later queries.
@@ -132,8 +132,8 @@ impl QuerySession {
         }
     }
 
-    /// Returns what is to be known of the memory whatever the query: episodes that are left out, and values that people have added
-    /// besides recorded ones.
+    /// Returns remarks on the memory that apply to every query: episodes that are left out, and
+    /// values that people have added besides recorded ones.
     pub fn remarks_on_memory(&self) -> Vec<String> {
         self.host.remarks_on_memory()
     }

@@ -100,7 +100,7 @@ fn write(directive: char, count: Option<usize>, argument: &Term, out: &mut Strin
             out.extend(std::iter::repeat_n(c, count.unwrap_or(1).min(MOST_DIGITS)));
             Ok(())
         }
-        // Passed over.
+        // Other directives print nothing.
         _ => Ok(()),
     };
     written.ok()

@@ -25,7 +25,7 @@ pub struct Cursor {
     pub size: usize,
 }
 
-/// Why the host cannot reply to a request.
+/// The reason why the host cannot reply to a request.
 pub enum HostRefusal {
     /// A fault of the query.
     Fault(QueryFault),

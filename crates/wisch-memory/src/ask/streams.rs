@@ -151,8 +151,8 @@ impl Knowledge {
         }))
     }
 
-    /// Returns the episode that began last. An episode lasts the robot's time, which a simulation beats, so that its end says
-    /// little.
+    /// Returns the episode that began last. Ends are not compared: an episode ends by the robot's
+    /// time, and a simulation runs faster than that.
     pub fn last_episode(&self) -> Option<&EpisodeRow> {
         let episodes = self.catalogue.episodes().iter();
         episodes.max_by(|a, b| a.interval[0].total_cmp(&b.interval[0]))

@@ -16,9 +16,10 @@ use wisch::robot::RobotModel;
 
 /// File of the robot's description in an episode.
 const ROBOT_FILE: &str = "robot.urdf";
-/// Stands for no particular episode.
+/// Atom of a request that names no particular episode.
 const ANY: &str = "any";
-/// How far behind the end of an interval a sample may lie and belong to it \[s\]: times since 1970 are exact to 2e-7 s.
+/// Time after the end of an interval up to which a sample still belongs to it \[s\]: times since
+/// 1970 are exact to 2e-7 s.
 const SAME_TIME: f64 = 1e-6;
 /// Largest number of poses in a query's trajectory.
 const MAX_POSES: usize = 200_000;
@@ -27,7 +28,7 @@ const MAX_POSES: usize = 200_000;
 #[derive(Default)]
 pub struct TelemetryPredicates {
     memory: Option<Memory>,
-    /// Telemetry of each round, or why it cannot be read.
+    /// Telemetry of each round, or the reason why it is not readable.
     rounds: HashMap<(String, usize), Result<Rc<Telemetry>, QueryFault>>,
     robots: HashMap<String, Option<Rc<RobotModel>>>,
     remarks: Vec<String>,
@@ -107,7 +108,7 @@ impl TelemetryPredicates {
                     for span in spans {
                         values.extend(channel_values(span, channel, &mut unusable)?);
                     }
-                    // What was not measured, or not stated.
+                    // NaN stands for a value that was not measured or not stated.
                     values.retain(|value| !value.is_nan());
                     Ok(Term::Float(statistic_of(&values, statistic)?))
                 });
@@ -141,7 +142,7 @@ impl TelemetryPredicates {
                 match found {
                     Ok(found) if found.is_empty() => {}
                     Ok(found) => return Ok(pose(&found[0])),
-                    // It may have been seen before.
+                    // An earlier round may have the pose.
                     Err(error) => {
                         first.get_or_insert(error);
                     }

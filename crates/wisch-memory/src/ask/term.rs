@@ -81,7 +81,7 @@ impl Term {
         }
     }
 
-    /// Whether `...` stands for a part of it.
+    /// Whether `...` replaces a part of the term.
     pub(super) fn is_cut_short(&self) -> bool {
         match self {
             Self::Atom(name) => name == "...",
@@ -596,7 +596,7 @@ mod tests {
         assert_eq!(Term::parse("'.'(1)").unwrap(), dot(&[1]));
         assert_eq!(Term::parse("'.'(1,2,3)").unwrap(), dot(&[1, 2, 3]));
         assert_eq!(Term::parse("'.'()").unwrap(), dot(&[]));
-        // As the tail of a list.
+        // A compound with the name of the list functor, but another arity, as the tail of a list.
         let list = Term::parse("'.'(0,'.'(5,'.'(1,2,3)))").unwrap();
         let open = close_list(vec![Term::Integer(0), Term::Integer(5)], dot(&[1, 2, 3]));
         assert_eq!(list, open);

@@ -80,7 +80,7 @@ struct Head {
     relations: Vec<u32>,
 }
 
-/// Why a catalogue on disk cannot be used.
+/// The reason why a catalogue on disk cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CacheError {
     #[error("{}: {error}", path.display())]
@@ -428,7 +428,7 @@ fn read_individuals(
     catalogue.parents = to_unsigned(input.column::<Int32Type>(0, 3)?);
     let count = head.individuals;
     let is_class = |&class: &i32| usize::try_from(class).is_ok_and(|c| c < head.classes.len());
-    // A parent precedes its parts, so nothing is its own ancestor.
+    // A parent precedes its parts, so there are no cycles.
     let is_parent = |(id, &parent): (usize, &u32)| parent == NONE || (parent as usize) < id;
     if classes.len() != count
         || !classes.iter().all(is_class)

@@ -21,8 +21,9 @@ pub const NEW_CHANGE_RUNS: usize = 10;
 
 /// Least number of episodes with a test for a sudden change: four on either side.
 const FEWEST_WITH_CHANGE: usize = 8;
-/// Least mean force over the asked one \[1\]. With half the force, the assumed sponge still affects 92 % of the crumbs, with
-/// a third of it less than half.
+/// Least mean contact force, as a share of the press force of the task \[1\]. At half of that
+/// force, the sponge of the knowledge base still affects 92 % of the crumbs; at a third, less than
+/// half.
 const LEAST_FORCE: f64 = 0.5;
 /// Least contact share \[1\]: below it, `interpret` doubts that a log shows wiping.
 const LEAST_CONTACT: f64 = 0.3;
@@ -116,7 +117,7 @@ fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth
     }
 }
 
-/// Returns the number of runs since a channel was recorded.
+/// Returns the number of runs after the last one that records a channel.
 fn unrecorded_runs(group: &RunGroup, channel: HealthChannel) -> usize {
     let newest = group.rounds.iter().rev();
     newest
@@ -124,8 +125,8 @@ fn unrecorded_runs(group: &RunGroup, channel: HealthChannel) -> usize {
         .count()
 }
 
-/// Adjusts probabilities to their number (Holm 1979): with all of them true, the least of the adjusted ones is below α with
-/// a probability of α at most, however the tests depend on each other.
+/// Adjusts p-values for the number of tests (Holm 1979): if nothing has changed, the least adjusted
+/// one is below α with a probability of α at most, however the tests depend on each other.
 #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 fn adjust(p_values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..p_values.len()).collect();
@@ -360,7 +361,7 @@ impl<'a> ChannelSeries<'a> {
         findings
     }
 
-    /// Whether a drift brings the value closer to where it should be.
+    /// Whether a drift brings the value closer to its ideal, see [`off`].
     fn improves(&self, trend: &HealthTrend, asked: Option<f64>) -> bool {
         let first = self
             .line
@@ -374,7 +375,8 @@ impl<'a> ChannelSeries<'a> {
         }
     }
 
-    /// Returns the cause of a change of the offset from the run at an index. `sudden`: index after a sudden change, from there.
+    /// Returns the cause of a change of the offset among the runs from index `from`. `sudden`:
+    /// first index after a sudden change, counted from `from`.
     fn cause(&self, from: usize, sudden: Option<usize>) -> Option<DriftCause> {
         if self.channel != HealthChannel::Offset {
             return None;
@@ -388,8 +390,8 @@ impl<'a> ChannelSeries<'a> {
     }
 }
 
-/// Returns the depth \[m\] by which the force compresses the tool, from the asked or else the measured force, and the
-/// measured stiffness.
+/// Returns the depth \[m\] by which the force compresses the tool, from the press force (or the
+/// measured force if the episodes state none) and the measured stiffness.
 fn compression(group: &RunGroup) -> Option<f64> {
     let middle = |channel| {
         let values = group.rounds.iter().filter_map(|round| round.value(channel));
@@ -403,7 +405,8 @@ fn compression(group: &RunGroup) -> Option<f64> {
     (depth > 0.0 && depth.is_finite()).then_some(depth)
 }
 
-/// Returns the number of runs until a drifting line reaches a limit in its direction; `None` if it is beyond the limit.
+/// Returns the number of runs until a drifting line reaches a limit in its direction; `None` if it
+/// is already beyond the limit.
 fn forecast(line: &RobustLine, limit: f64) -> Option<RunsToLimit> {
     let sign = line.slope.signum();
     let distance = sign * (limit - line.ends[1]);
@@ -416,7 +419,9 @@ fn forecast(line: &RobustLine, limit: f64) -> Option<RunsToLimit> {
     })
 }
 
-/// Returns how far a value is from where it should be; less is better.
+/// Returns the deviation of a value from its ideal; less is better. The ideal is `asked` (the press
+/// force) for the contact force, and 0 for the offset. Of the other channels, less tilt or a larger
+/// value is better.
 fn off(channel: HealthChannel, value: f64, asked: Option<f64>) -> f64 {
     match channel {
         HealthChannel::ContactForce => asked.map_or(0.0, |asked| (value - asked).abs()),
@@ -428,8 +433,8 @@ fn off(channel: HealthChannel, value: f64, asked: Option<f64>) -> f64 {
     }
 }
 
-/// Whether a sudden change brought the value clearly closer to where it should be, as a relocalised surface or a new tool
-/// does.
+/// Whether a sudden change brought the value clearly closer to its ideal, as a relocalised surface
+/// or a new tool does.
 fn is_repair(channel: HealthChannel, change: &SuddenChange, asked: Option<f64>) -> bool {
     let [before, after] = [change.before, change.after].map(|value| off(channel, value, asked));
     match channel {
@@ -442,7 +447,7 @@ fn is_repair(channel: HealthChannel, change: &SuddenChange, asked: Option<f64>) 
     }
 }
 
-/// Returns what to do. `by`: a number with the sign of the change.
+/// Returns the advice on a change. `by`: a number with the sign of the change.
 fn advise(channel: HealthChannel, by: f64, cause: Option<DriftCause>) -> &'static str {
     match channel {
         HealthChannel::Offset => match cause {

@@ -4,7 +4,8 @@ use serde::Serialize;
 
 /// Least number of rounds from which a cause is determined.
 const FEWEST: usize = 5;
-/// Share of a change in height above which the tool is its cause, and below which the tool has no part in it \[1\].
+/// Share of a change in height above which the tool is its only cause, and below which the surface
+/// is \[1\].
 const IS_CAUSE: f64 = 0.7;
 const IS_NO_CAUSE: f64 = 0.3;
 /// Rounds before a sudden change that count, so that a long history does not hide it.
@@ -12,7 +13,7 @@ const BEFORE: usize = 20;
 /// Least change in height whose cause is determined \[m\].
 const LEAST_OFFSET: f64 = 1e-3;
 
-/// The cause of a change in the height at which the tool touches a surface.
+/// The cause of a change in the height at which a tool gets in contact with a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DriftCause {
@@ -20,7 +21,7 @@ pub enum DriftCause {
     WornTool,
     /// The tool is stiffer, and sinks in less.
     StifferTool,
-    /// Both the tool and the surface have a part.
+    /// Both the tool and the surface have changed.
     ToolAndSurface,
     /// The surface is lower than before.
     LoweredSurface,
@@ -51,7 +52,7 @@ impl DriftCause {
 ///
 /// # Parameters
 /// - `offsets`: offset of the surface along its normal in each round \[m\].
-/// - `touches`: force \[N\] and stiffness [N/m] of each round, as far as they are known.
+/// - `touches`: force \[N\] and stiffness [N/m] of each round; `None` where they are unknown.
 /// - `sudden`: first index after a sudden change; without it, the first third is compared with the last one, which covers
 ///   gradual changes, too.
 pub(crate) fn find_cause(

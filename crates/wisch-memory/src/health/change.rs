@@ -1,9 +1,11 @@
 //! Sudden changes in a series, found by seeded binary segmentation (Kovács 2023).
 //!
-//! Intervals of many lengths are searched, the shortest first, so that neither many changes nor a long history hide one. An
-//! interval is split where two lines fit so much better than one that chance does not explain it (Bayesian information
-//! criterion, Schwarz 1978, with a stricter penalty). Single outliers are replaced first (Hampel 1974). As several outliers
-//! side by side are no change either, the values on both sides of it must differ by their ranks, too (Mann and Whitney 1947).
+//! Intervals of many lengths are searched, the shortest first, so that a change is found among many
+//! others and in a long history. An interval is split where two lines fit so much better than one
+//! that chance does not explain it (Bayesian information criterion, Schwarz 1978, with a stricter
+//! penalty). Single outliers are replaced first (Hampel 1974). Several adjacent outliers are no
+//! change either. Therefore, the values on both sides of a split must also differ by their ranks
+//! (Mann and Whitney 1947).
 
 use super::median::{DEVIATION_OF_MEDIAN, median};
 use super::slope::RobustLine;
@@ -34,10 +36,11 @@ pub(crate) struct ChangePoint {
 
 /// Returns the sudden changes of a series, in order. `scatter`: least standard deviation of the values.
 ///
-/// Each probability is the larger one of two tests: the F-test of two lines against one, times the number of places at which
-/// a change was sought, and the test of ranks, times the places of the interval. A change is taken from the shortest interval
-/// that shows it; of equally long ones, the least probable chance comes first. Intervals around a change are not searched
-/// again. Its probability is the least of those in this interval and between the neighbouring changes.
+/// Each p-value is the larger one of two: that of the F-test of two lines against one, times the
+/// number of all tested places, and that of the test of ranks, times the places of the interval. A
+/// change is taken from the shortest interval that shows it; of equally long ones, the one with the
+/// least p-value comes first. Intervals around a change are not searched again. The p-value of a
+/// change is the least of those in this interval and between the neighbouring changes.
 #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
     let sums = Sums::new(&replace_outliers(values, scatter));
@@ -77,7 +80,8 @@ pub(crate) fn find_changes(values: &[f64], scatter: f64) -> Vec<ChangePoint> {
     changes.collect()
 }
 
-/// Returns the intervals of a series in which changes are sought, by their lengths, which double; the last is the whole.
+/// Returns the intervals of a series that are searched for changes, by their lengths, which double;
+/// the last one is the whole series.
 fn list_intervals(count: usize) -> Vec<Vec<[usize; 2]>> {
     let lengths = std::iter::successors(Some(SHORTEST), |length| Some(2 * length));
     let lengths = lengths.take_while(|length| *length < count);

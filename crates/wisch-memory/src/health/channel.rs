@@ -31,7 +31,7 @@ impl HealthChannel {
         Self::Performance,
     ];
 
-    /// Name of the channel in the words of people.
+    /// Name of the channel in reports for people.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::ContactForce => "contact force",

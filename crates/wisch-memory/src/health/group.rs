@@ -1,4 +1,5 @@
-//! The first rounds of a memory, by what must be equal for their values to be one series.
+//! The first rounds of a memory in groups: only rounds with the same tool, surface and so on make a
+//! series of comparable values.
 
 use super::channel::HealthChannel;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
@@ -19,7 +20,7 @@ pub enum RunSource {
 }
 
 impl RunSource {
-    /// Name of the source in the words of people.
+    /// Name of the source in reports for people.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Executed => "executed",
@@ -40,7 +41,7 @@ pub struct RunGroup {
     pub surface: Option<String>,
     /// Name of the dirt.
     pub medium: Option<String>,
-    /// Force with which the tool was to press \[N\]; `None` if the episodes do not state it.
+    /// Press force of the task \[N\]; `None` if the episodes do not state it.
     pub press_force_n: Option<f64>,
     /// How the values were obtained.
     pub source: RunSource,
@@ -67,7 +68,7 @@ impl FirstRound {
     }
 }
 
-/// What is equal in a group; the force by its bits.
+/// Robot, tool, surface, dirt, press force (by its bits) and source, which are equal in a group.
 type GroupKey = ([Option<CatalogueNode>; 4], Option<u64>, RunSource);
 
 /// Relations of a round to robot, tool, surface and dirt.

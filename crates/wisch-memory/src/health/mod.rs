@@ -1,4 +1,5 @@
-//! Whether robots, tools and surfaces change over the episodes of a memory: drifts, sudden changes and what they lead to.
+//! Whether robots, tools and surfaces change over the episodes of a memory: drifts, sudden changes,
+//! and forecasts of when a limit is reached.
 //!
 //! [`gather_groups`] collects the first rounds of the same robot, tool, surface, dirt, press force and kind of run.
 //! [`assess_groups`] assesses each channel of each group.

@@ -29,7 +29,7 @@ pub struct GroupHealth {
     pub surface: Option<String>,
     /// Name of the dirt.
     pub medium: Option<String>,
-    /// Force with which the tool was to press \[N\], if the episodes state it.
+    /// Press force of the task \[N\], if the episodes state it.
     pub press_force_n: Option<f64>,
     /// How the values were obtained.
     pub source: RunSource,
@@ -37,9 +37,9 @@ pub struct GroupHealth {
     pub runs: usize,
     /// Number of runs that are left out because their dates are unknown.
     pub undated_runs: usize,
-    /// Begin of the first and of the last run [s since 1970]; `None` without a run.
+    /// Begin of the first run [s since 1970]; `None` without a run.
     pub first_s: Option<f64>,
-    /// Begin of the last run [s since 1970].
+    /// Begin of the last run [s since 1970]; `None` without a run.
     pub last_s: Option<f64>,
     /// Whether a channel has a finding.
     pub needs_attention: bool,
@@ -56,12 +56,12 @@ pub struct ChannelHealth {
     pub unit: &'static str,
     /// Number of runs that record it.
     pub recorded: usize,
-    /// What is known of it.
+    /// The state of its assessment, with the results.
     #[serde(flatten)]
     pub state: ChannelState,
 }
 
-/// What is known of a channel.
+/// The state of a channel's assessment, with its results.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "state", rename_all = "snake_case")]
 pub enum ChannelState {
@@ -90,9 +90,9 @@ pub struct ChannelAssessment {
     pub runs_since: usize,
     /// The course since then; `None` if too few runs follow the change.
     pub trend: Option<HealthTrend>,
-    /// Lower and upper limit, where there are such.
+    /// Lower and upper limit; `None` for a side without a limit.
     pub limits: [Option<HealthLimit>; 2],
-    /// What needs attention.
+    /// Findings that need attention; empty without any.
     pub findings: Vec<HealthFinding>,
 }
 
@@ -107,7 +107,7 @@ pub struct SuddenChange {
     pub after: f64,
     /// Probability that chance explains it \[1\].
     pub p: f64,
-    /// The same, adjusted to the number of tests.
+    /// Probability `p`, adjusted to the number of tests of the report \[1\].
     pub p_adjusted: f64,
     /// Whether chance does not explain it.
     pub is_shown: bool,
@@ -126,7 +126,7 @@ pub struct HealthTrend {
     pub per_run_within: [f64; 2],
     /// Probability that chance explains the slope \[1\].
     pub p: f64,
-    /// The same, adjusted to the number of tests.
+    /// Probability `p`, adjusted to the number of tests of the report \[1\].
     pub p_adjusted: f64,
     /// Whether chance does not explain the slope, and the change exceeds the resolution of the channel.
     pub is_drift: bool,
@@ -136,12 +136,12 @@ pub struct HealthTrend {
     pub runs_to_limit: Option<RunsToLimit>,
 }
 
-/// A value that a channel should not pass, with the reason.
+/// A limit of a channel, beyond which it needs attention, with the reason.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HealthLimit {
     /// The value, in the unit of the channel.
     pub value: f64,
-    /// What happens there.
+    /// The reason why this value is a limit, in words.
     pub meaning: &'static str,
 }
 
@@ -163,7 +163,7 @@ pub struct HealthFinding {
     pub kind: HealthFindingKind,
     /// Cause of a change of the offset, where it was determined.
     pub cause: Option<DriftCause>,
-    /// What to do.
+    /// Advice on what to do about it.
     pub advice: &'static str,
 }
 

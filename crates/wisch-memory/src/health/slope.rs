@@ -34,8 +34,8 @@ impl RobustLine {
 
     /// Fits a line: the median slope of all pairs of values (Theil 1950), its interval (Sen 1968), and Kendall's test (1938).
     ///
-    /// `at`: where each value is, in increasing order. `scatter`: least standard deviation of the values. Equal values count
-    /// against a slope.
+    /// `at`: abscissa of each value, in increasing order. `scatter`: least standard deviation of
+    /// the values. Pairs of equal values count against a slope.
     #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
     pub fn fit_at(at: &[f64], values: &[f64], scatter: f64) -> Self {
         let size = values.len().div_ceil(MOST_POINTS).max(1);

@@ -46,7 +46,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use wisch::source_location::UnknownName;
 
-/// Why a NEEM cannot be written or read.
+/// The reason why a NEEM cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum NeemError {
     /// A file cannot be written or read.

@@ -37,7 +37,8 @@ impl NeemWriter {
     /// Writes a stored episode: its triples, poses and wrenches of all rounds with telemetry, and camera observations.
     ///
     /// # Errors
-    /// As the other methods; also if the episode cannot be read or its telemetry belongs to another robot.
+    /// Those of [`Self::episode`], [`Self::frame`], [`Self::wrench`] and [`Self::observations`];
+    /// also if the episode cannot be read or its telemetry belongs to another robot.
     pub fn write_stored_episode(
         &mut self,
         episode: &Episode,

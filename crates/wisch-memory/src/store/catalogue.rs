@@ -86,7 +86,8 @@ impl Memory {
         Ok(catalogue)
     }
 
-    /// Returns why folders that hold the record of an episode are no episodes, by their names.
+    /// Returns a sentence for each folder that holds the record of an episode but whose name is not
+    /// a valid name of an episode; such folders are ignored.
     ///
     /// # Errors
     /// If the folder cannot be read.
@@ -107,13 +108,13 @@ impl Memory {
         Ok(ignored)
     }
 
-    /// When the tables were written; `None` without tables.
+    /// Time at which the tables were written; `None` without tables.
     fn time_of_tables(&self) -> Option<SystemTime> {
         let current = self.folder().join(CATALOGUE_FOLDER).join(CURRENT_FILE);
         fs::metadata(current).and_then(|file| file.modified()).ok()
     }
 
-    /// When the record of an episode was written; `None` if it is missing.
+    /// Time at which the record of an episode was written; `None` if it is missing.
     fn time_of_record(&self, id: &str) -> Option<SystemTime> {
         let record = fs::metadata(self.folder().join(id).join(RECORD_FILE));
         record.and_then(|file| file.modified()).ok()

@@ -6,7 +6,7 @@ use crate::telemetry::TelemetryError;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a memory cannot be written or read.
+/// The reason why a memory cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum MemoryError {
     /// The operating system refuses an operation.

@@ -4,7 +4,7 @@ use parquet::errors::ParquetError;
 use std::io;
 use std::path::PathBuf;
 
-/// Why telemetry cannot be written or read.
+/// The reason why telemetry cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum TelemetryError {
     /// The operating system refuses an operation.

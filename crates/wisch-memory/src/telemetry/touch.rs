@@ -7,8 +7,9 @@ use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{TouchSample, UnusableWrenches};
 
 impl Telemetry {
-    /// Returns tool poses and forces of all samples with a usable wrench, and the numbers of the others: `measured` in the
-    /// world, and the force of `external`.
+    /// Returns the tool poses in the world (columns `measured/…`) and the forces on the tool in the
+    /// world's axes (columns `external/f…`) \[N\] of all samples with a usable wrench, and how many
+    /// samples have no usable one.
     ///
     /// Numbers have single precision: positions within 1 m are exact to 30 nm, forces within 100 N to 4 µN.
     ///
@@ -18,7 +19,7 @@ impl Telemetry {
         self.touch_samples_of(0..self.rows())
     }
 
-    /// Returns the same of some rows.
+    /// Returns the same as [`Self::touch_samples`], of some rows.
     pub(crate) fn touch_samples_of(
         &self,
         rows: Range<usize>,

@@ -27,7 +27,8 @@ const MAX_EPISODES: usize = 12;
 /// Number of poses over an interval, if a query states no period.
 const POSES_OF_INTERVAL: usize = 5;
 
-/// Collects the data for a query's commands. `rows` are the query's answers, whose events are shown over time.
+/// Collects the data for a query's commands `views`. `rows` are the query's answers, whose events
+/// are shown over time.
 ///
 /// What the memory lacks, for example a thing that an episode did not use, becomes a remark.
 ///

@@ -23,7 +23,7 @@ use crate::frames::FrameError;
 use crate::store::MemoryError;
 use wisch::geometry::{Point2, Point3, Pose};
 
-/// Why a thing cannot be shown in a view.
+/// The reason why a query's view cannot be shown.
 #[derive(Debug, thiserror::Error)]
 pub enum ViewError {
     /// The term is not a command.

@@ -9,7 +9,7 @@ const MAX_POINTS: usize = 1500;
 /// Least time between points of a line [s].
 const FINEST_STEP: f64 = 0.02;
 
-/// Name of the frame.
+/// Returns a name without its prefix, which is the name of the frame.
 pub(super) fn local(name: &str) -> &str {
     name.split_once(':').map_or(name, |(_, local)| local)
 }

@@ -48,7 +48,8 @@ fn collect_names<'a>(term: &'a Term, names: &mut Vec<&'a str>) {
 }
 
 /// Returns the title of an individual: "round 2, stroke 3" with the number of the plan, "round 2, tool contact 5" in the
-/// order of time, or the class outside of rounds. `alike`: individuals by round and class, in that order, once asked for.
+/// order of time, or the class outside of rounds. `alike`: cache of the individuals by round and
+/// class, in the order of time.
 fn title<'a>(
     catalogue: &'a Catalogue,
     id: IndividualId,

@@ -26,10 +26,10 @@ const fn resolution(channel: usize) -> f64 {
     }
 }
 
-/// Why the episodes of a memory give no bands.
+/// The reason why the episodes of a memory give no bands.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum BandError {
-    /// The rate is no share of runs.
+    /// The rate is not between 0 and 1.
     #[error("the rate of false warnings is {rate}; expected more than 0 and less than 1")]
     Rate {
         /// The rate \[1\].
@@ -96,7 +96,7 @@ pub struct BandDeviation {
     pub span: WarningSpan,
     /// The value, in the channel's unit.
     pub value: f64,
-    /// Its band: lower and upper end.
+    /// Lower and upper end of its band, in the channel's unit.
     pub band: [f64; 2],
 }
 

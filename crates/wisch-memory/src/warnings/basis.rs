@@ -23,7 +23,7 @@ const NEW_WARNING_RUNS: usize = 10;
 /// Number of episodes that are read at once.
 const BATCH: usize = 16;
 
-/// Events after which an episode does not show how runs without a fault are.
+/// Events that exclude an episode: after them, it does not show a run without a fault.
 const DISTURBED: [&str; 4] = [
     "semco:HumanCollision",
     "semco:HandGuiding",
@@ -39,14 +39,14 @@ const THINGS: [&str; 4] = [
     "semco:removesMedium",
 ];
 
-/// What must be equal for an episode to be comparable with a run.
+/// The properties of a run that an episode must share to be comparable with it.
 #[derive(Debug, Clone)]
 pub struct ComparableRun {
     /// The task, with tool, dirt, surface, press force and action.
     pub task: Task,
     /// Name of the robot.
     pub robot: String,
-    /// What executes the run.
+    /// Executor of the run: the simulated world, or a program by its name.
     pub origin: Origin,
 }
 

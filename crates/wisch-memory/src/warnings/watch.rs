@@ -1,4 +1,4 @@
-//! The watch over a running run.
+//! Comparison of a run with earlier episodes while the robot executes it.
 
 use super::bands::{ConformalBands, RunScore};
 use super::gauge::{Gauge, Touch};
@@ -9,7 +9,8 @@ use wisch::run::{PlannedRound, RunEvent, RunWarning, TelemetrySample};
 
 /// Compares a run with earlier episodes while the robot wipes. A channel gives at most one warning in a run.
 ///
-/// Its time for a sample does not depend on the number of episodes, except for a warning.
+/// Its computation time per sample does not depend on the number of episodes, except for a sample
+/// that gives a warning.
 #[derive(Debug, Clone)]
 pub struct MemoryWatch {
     bands: ConformalBands,

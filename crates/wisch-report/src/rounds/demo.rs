@@ -117,7 +117,7 @@ impl Demo {
         }
     }
 
-    /// Interprets the logs from_task the rounds with the library.
+    /// Interprets the logs of the rounds with the library.
     pub(crate) fn interpret_logs(mut self) -> Self {
         let config = InterpretConfig::from_task(&self.task);
         for round in &mut self.rounds {

@@ -13,7 +13,7 @@ use rand_chacha::rand_core::SeedableRng;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Most cells in the bounding box of the reachable space.
+/// Largest number of cells in the bounding box of the reachable space.
 pub(super) const MAX_CELLS: usize = 1 << 30;
 
 /// Number of samples per random stream; threads take streams in any order.
@@ -59,9 +59,10 @@ impl CapabilityMap {
     /// ```
     ///
     /// # Errors
-    /// If a setting is out of range, the posture does not fit the robot, the tip is no descendant of the base, a
-    /// sliding joint has no limits, there are too many cells, or nothing can be reached. The tool of an arm that cannot
-    /// tilt it, such as a SCARA, has no direction of the map exactly, and thus reaches nothing.
+    /// If a setting is out of range, the posture does not fit the robot, the tip is no descendant
+    /// of the base, a sliding joint has no limits, there are too many cells, or nothing can be
+    /// reached. An arm that cannot tilt its tool, such as a SCARA, reaches nothing, because its
+    /// tool's axis is in none of the map's directions.
     ///
     /// # Panics
     /// If a link belongs to another, larger robot.

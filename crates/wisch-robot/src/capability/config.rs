@@ -37,7 +37,8 @@ pub struct MapConfig {
     pub samples: u64,
     /// Seed of the random positions.
     pub seed: u64,
-    /// Most reached neighbours from which inverse kinematics starts, before a pose counts as out of reach.
+    /// Largest number of reached neighbours from which inverse kinematics starts, before a pose
+    /// counts as out of reach.
     pub starts: u32,
     /// Number of poses tried in each boundary cell, besides its centre.
     pub refinements: u32,

@@ -43,7 +43,7 @@ pub enum MapError {
         reach: f64,
         /// Edge of a voxel \[m\].
         voxel: f64,
-        /// Most cells, that is voxels times directions.
+        /// Largest number of cells: voxels times directions.
         limit: usize,
     },
     /// No sample was within limits and free of collision.
@@ -54,7 +54,7 @@ pub enum MapError {
         /// Number of samples.
         samples: u64,
     },
-    /// A map file holds a map that reaches nothing.
+    /// A map file holds a map in which no pose is reachable.
     #[error(
         "capability map {file:?} reaches nothing, as that of an arm that cannot tilt its tool; work without a map"
     )]
@@ -75,7 +75,7 @@ pub enum MapError {
     Format {
         /// Name of the file.
         file: String,
-        /// What is wrong.
+        /// Fault of the bytes, in words.
         problem: String,
     },
     /// The map has another version of the format.
@@ -99,7 +99,7 @@ pub enum MapError {
         file: String,
         /// Hash of the robot for which the map was built.
         found: RobotHash,
-        /// Hash of the present robot.
+        /// Hash of the robot with which the map is used.
         expected: RobotHash,
     },
 }

@@ -30,7 +30,7 @@ pub use hash::RobotHash;
 use crate::geometry::{Point3, Pose, Vector3};
 use directions::Directions;
 
-/// Value of a cell all of whose poses can be reached; 0 stands for none.
+/// Value of a cell of which all poses can be reached; 0 stands for none.
 const FULL: u8 = 15;
 
 /// Poses that the tool of a chain can reach, with the tool free to rotate about its z axis.
@@ -141,9 +141,9 @@ impl Grid {
 }
 
 impl CapabilityMap {
-    /// Returns how surely the tool can reach a pose in the base frame, free to rotate about its z axis: from 0 (not at
-    /// all) to 1 (with all neighbouring poses). It is the share of nearby poses that can be reached, so the boundary is
-    /// at 1/2. Outside the map it is 0.
+    /// Returns the reachability of a pose in the base frame, with the tool free to rotate about its
+    /// z axis, from 0 to 1 \[1\]: the share of nearby poses that can be reached. The boundary of
+    /// the reachable space is at 1/2. Outside the map, the reachability is 0.
     pub fn reachability(&self, base_from_tool: &Pose) -> f64 {
         let point = Point3::from(base_from_tool.translation.vector);
         let Some(voxels) = self.grid.around(&point) else {

@@ -1,5 +1,5 @@
-//! Compact coding of a map's rows and values: a byte for each voxel that says whether it has a row, then the values row
-//! by row, one byte each, compressed by Zstandard.
+//! Compact coding of a map's rows and values: a byte for each voxel that states whether it has a
+//! row, then the values row by row, one byte each, compressed by Zstandard.
 
 use super::{CapabilityMap, Grid};
 use std::io::Read;

@@ -24,7 +24,7 @@ const POSTURES: usize = 1000;
 /// Largest number of these postures in which a permanently overlapping pair may be apart: 5 %, as in MoveIt's setup
 /// assistant.
 const MAX_APART: usize = POSTURES / 20;
-/// Most postures that are drawn to get enough within the limits of followers.
+/// Largest number of postures that are drawn to get enough within the limits of followers.
 const MAX_DRAWS: usize = 20 * POSTURES;
 /// Range of a sliding joint without limits [m].
 const UNLIMITED_SLIDE: f64 = 1.0;

@@ -9,8 +9,8 @@ use parry3d_f64::query::details::distance_support_map_support_map as gjk;
 use parry3d_f64::shape::{TriMesh, TriMeshFlags};
 use std::collections::BTreeSet;
 
-/// Most points of a hull. Of more, those farthest in this many directions are kept, and the hull is inflated by the
-/// largest distance of a dropped point.
+/// Largest number of points of a hull. Of more points, those farthest in this number of directions
+/// are kept, and the hull is inflated by the largest distance of a dropped point.
 const MAX_HULL_POINTS: usize = 256;
 
 /// Tolerance of a corner against that of a box, relative to the box; for meshes in single precision.

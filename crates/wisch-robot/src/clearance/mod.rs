@@ -290,8 +290,8 @@ impl CollisionModel {
     }
 
     /// Adds an obstacle, with its pose in the frame of the root link. A convex mesh is kept as its hull, any other mesh
-    /// as a surface. If the surface is closed, bodies inside it collide; otherwise only bodies that meet its triangles
-    /// do. The parts of a mesh that overlap should be added one by one.
+    /// as a surface. If the surface is closed, bodies inside it collide; otherwise only bodies that
+    /// touch its triangles do. Overlapping parts of a mesh should be added one by one.
     ///
     /// # Errors
     /// If the name exists already, the pose is not finite, or the collision library rejects the mesh.

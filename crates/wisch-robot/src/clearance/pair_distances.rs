@@ -7,7 +7,7 @@ use super::{AllowedReason, BodyId, CollisionModel, with_scratch};
 /// Distance of a pair that leaves a planner no room [m]: 1 mm more than the 5 mm that wisch keeps by default.
 pub(crate) const CLOSE: f64 = 6e-3;
 
-/// What is known of the distance of a pair after some postures.
+/// Distance of a pair over the postures that were examined.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PairDistance {
     /// Number of postures in which the pair overlaps.
@@ -78,7 +78,7 @@ impl CollisionModel {
         fixed
     }
 
-    /// Whether two bodies of the same frame overlap.
+    /// Whether two bodies that share a frame overlap.
     fn overlap_in_frame(&self, a: usize, b: usize) -> bool {
         let placed = |i: usize| {
             let solid = &self.solids[i];
@@ -120,7 +120,7 @@ impl CollisionModel {
         })
     }
 
-    /// Returns the links of a checked pair; `None` if it is one with a tool.
+    /// Returns the links of a checked pair; `None` if the pair contains a tool.
     pub(crate) fn own_links(&self, pair: usize) -> Option<[LinkId; 2]> {
         let bodies = self.pairs.get(pair)?;
         let are_links = bodies.iter().all(|body| body.0 < self.mounts.len());

@@ -7,10 +7,11 @@ use crate::RobotError;
 /// reported as a contact.
 pub const SEGMENT_RESOLUTION: f64 = 1e-4;
 
-/// Most postures examined for one segment; a span that is not known to be clear by then is a contact.
+/// Largest number of postures examined for one segment; a span that is not proven clear by then
+/// counts as a contact.
 const MAX_POSTURES: usize = 100_000;
 
-/// A pair that is not yet known to stay apart.
+/// A pair that is not yet proven to stay apart.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OpenPair {
     pair: [BodyId; 2],
@@ -20,7 +21,7 @@ pub(super) struct OpenPair {
     margin: f64,
 }
 
-/// A part of a segment, with the pairs that are not yet known to stay apart on it.
+/// A part of a segment, with the pairs that are not yet proven to stay apart on it.
 pub(super) struct Span {
     /// Its middle, from 0 to 1 along the segment.
     middle: f64,

@@ -234,7 +234,8 @@ impl Surface {
                 let corners = [triangle.a, triangle.b, triangle.c];
                 let [a, b, c] = corners.map(|corner| other_from_self.transform_point(corner));
                 let to_box = gap(a.min(b).min(c), a.max(b).max(c), -half, half);
-                // What is certainly farther away than the nearest triangle costs no iterations.
+                // A triangle that is certainly farther away than the nearest one costs no
+                // iterations.
                 (lower_bound(to_box) < best).then(|| gjk(self_from_other, &triangle, other))
             },
         );
@@ -250,7 +251,8 @@ fn gap(low: Vector, high: Vector, other_low: Vector, other_high: Vector) -> f64 
         .length()
 }
 
-/// Returns a distance that no result of the iteration falls below [m], by the distance of boxes around the cores.
+/// Returns a lower bound of the distances that the iteration returns [m], from the distance of
+/// boxes around the cores.
 fn lower_bound(between_boxes: f64) -> f64 {
     between_boxes * (1.0 - RELATIVE_ERROR) - CYLINDER_ERROR
 }

@@ -26,7 +26,7 @@ fn pose() -> impl Strategy<Value = Pose> {
     })
 }
 
-/// A solid of each kind and the same for parry.
+/// Returns a solid of each kind, and the corresponding shape of parry.
 fn solid(kind: usize, [a, b, c]: [f64; 3]) -> (Shape, Box<dyn ParryShape>) {
     match kind {
         0 => (Shape::Sphere { radius: a }, Box::new(Ball::new(a))),
@@ -107,7 +107,7 @@ proptest! {
         if expected > 0.0 {
             prop_assert!((found - expected).abs() < tolerance, "{found} and {expected}");
         } else {
-            // Ours may say how deep, but no deeper than it is.
+            // The depth that `distance` returns is a lower bound.
             prop_assert!(found < 1e-7, "{found} though they intersect");
         }
         // A distance that is not below the limit counts as infinite.

@@ -13,7 +13,7 @@ use limits::check_limits;
 use std::collections::{BTreeMap, BTreeSet};
 use tolerated::tolerate;
 
-/// Most links between the root and a tip; a deeper URDF is rejected.
+/// Largest number of links between the root and a tip; a deeper URDF is rejected.
 pub const MAX_DEPTH: usize = 200;
 
 /// Tolerance of the length of an axis, for six printed digits.
@@ -25,7 +25,8 @@ const TRIANGLE_TOLERANCE: f64 = 1e-4;
 /// Checks a URDF, and returns all findings. `name` identifies the text in messages. `meshes` returns the bytes of a
 /// collision mesh, given its file name in the URDF, or an error text.
 ///
-/// With an [`Severity::Error`], [`RobotModel::from_urdf`](crate::RobotModel::from_urdf) rejects the text.
+/// If a finding is a [`Severity::Error`], [`RobotModel::from_urdf`](crate::RobotModel::from_urdf)
+/// rejects the text.
 ///
 /// ```
 /// use wisch_robot::{DiagnosticKind, check};

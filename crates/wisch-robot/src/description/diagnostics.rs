@@ -3,14 +3,15 @@
 use crate::source_location::Place;
 use std::fmt;
 
-/// Severity of a diagnostic, the least first; only [`Severity::Error`] keeps a robot from being made.
+/// Severity of a diagnostic, the least first; only [`Severity::Error`] prevents a robot model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing, without consequences.
     Note,
-    /// Something will go wrong: limits are not kept, or dynamics cannot be computed.
+    /// The robot can be used with restrictions: limits are not kept, or dynamics cannot be
+    /// computed.
     Warning,
-    /// The robot cannot be made.
+    /// No robot model can be made of the text.
     Error,
 }
 

@@ -10,7 +10,7 @@ pub(crate) struct Urdf {
     pub joints: Vec<UrdfJoint>,
     /// Mimics of several joints, an extension of URDF.
     pub mimics: Vec<UrdfMimic>,
-    /// What was found while the text was read.
+    /// Findings that arose while the text was read.
     pub findings: Vec<Diagnostic>,
 }
 

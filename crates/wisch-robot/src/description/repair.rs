@@ -1,5 +1,6 @@
-//! Repairs of XML that is not well-formed, but that other readers of URDF and SRDF accept: TinyXML, which urdfdom and
-//! MoveIt use, knows no namespaces and skips comments whatever they contain.
+//! Repairs of XML that is not well-formed, although other readers of URDF and SRDF accept it.
+//! TinyXML, which urdfdom and MoveIt use, knows no namespaces, and skips comments without examining
+//! them.
 
 use super::diagnostics::{Diagnostics, Words, words};
 use super::xml::{MAX_URDF_BYTES, parsing_options};
@@ -12,12 +13,13 @@ use std::ops::Range;
 
 /// End of the root element of a URDF or an SRDF.
 const END_OF_ROOT: &str = "</robot>";
-/// Most prefixes that a text may leave undeclared.
+/// Largest number of prefixes that a text may leave undeclared.
 const MAX_PREFIXES: usize = 20;
 /// Longest prefix of a name that is replaced [bytes].
 const MAX_PREFIX: usize = 100;
 
-/// A text in which places that are no XML are overwritten. It is as long as the original, so that places stay the same.
+/// A text in which passages that are no XML are overwritten. It is as long as the original, so that
+/// places stay the same.
 pub(crate) struct Repaired<'a> {
     pub text: Cow<'a, str>,
     /// Start of each repair [byte], and what is said about it.

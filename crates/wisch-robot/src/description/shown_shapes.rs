@@ -10,8 +10,9 @@ const COLOR: &str = "0.72 0.76 0.8";
 /// Opacity of the shapes of the link that holds the tool, which may enclose it.
 const HAND_OPACITY: f64 = 0.3;
 
-/// Returns a URDF for viewers. If no link has visual geometry, each gets its collision shapes as such: opaque, but for the
-/// link `hand`, whose shapes may enclose the tool. Any other text is returned as it is.
+/// Returns a URDF for viewers. If no link has visual geometry, each link gets its collision shapes
+/// as visual geometry: opaque, except for the link `hand`, whose shapes may enclose the tool. Any
+/// other text is returned as it is.
 ///
 /// ```
 /// use wisch_robot::show_collision_shapes;

@@ -24,7 +24,7 @@ pub const HOME_STATE: &str = "home";
 const MAX_LEAN: std::ops::RangeInclusive<f64> = 0.0..=std::f64::consts::FRAC_PI_2;
 /// Number of unknown links that a warning names.
 const LINKS_SHOWN: usize = 12;
-/// Most groups.
+/// Largest number of groups.
 const MAX_GROUPS: usize = 1000;
 
 /// The semantic description (SRDF) of one robot: groups, postures and disabled pairs.
@@ -62,8 +62,8 @@ pub struct Srdf {
     pub virtual_joints: Vec<VirtualJoint>,
     /// How links hold tools: elements `<tool_holder>`, an extension of the format that other programs ignore.
     pub tool_holders: Vec<ToolHolder>,
-    /// Joints that springs or weights carry, so that the effort limits of the URDF do not say what they hold: elements
-    /// `<counterbalance>`, an extension of the format.
+    /// Joints that springs or weights carry, so that they hold more than the effort limits of the
+    /// URDF: elements `<counterbalance>`, an extension of the format.
     pub counterbalanced: Vec<JointId>,
     /// Groups that are ignored: those of links, of other groups, or of joints that form no chain. Passive joints and end
     /// effectors are ignored silently.
@@ -338,7 +338,7 @@ impl Srdf {
         faults
     }
 
-    /// Returns how a link holds tools; `None` if the SRDF does not say.
+    /// Returns how a link holds tools; `None` if the SRDF does not declare it.
     pub fn tool_holder(&self, link: LinkId) -> Option<&ToolHolder> {
         self.tool_holders.iter().find(|holder| holder.link == link)
     }
@@ -421,7 +421,8 @@ fn read_chain(
     Ok([base, tip])
 }
 
-/// Returns why a virtual joint moves nothing although its kind says so; `None` if it is fixed, or part of the robot.
+/// Returns the reason why a virtual joint moves nothing although its kind moves; `None` if it is
+/// fixed, or part of the robot.
 fn not_driven(
     reader: &Reader,
     node: Node,
@@ -479,7 +480,7 @@ fn ignored_groups(ignored: &[IgnoredElement]) -> Option<Diagnostic> {
     Some(found)
 }
 
-/// Returns the name that an error does not know.
+/// Returns the unknown name of an error.
 fn unknown_name(fault: &RobotError) -> Option<String> {
     match fault {
         RobotError::UnknownAt { unknown, .. } => Some(unknown.name.clone()),

@@ -7,7 +7,8 @@ use crate::{JointKind, RobotError, RobotModel, Severity};
 use roxmltree::Node;
 use std::collections::BTreeSet;
 
-/// Most notes and warnings about postures; further notes are left out, and further warnings are an error.
+/// Largest number of notes and warnings about postures; further notes are left out, and further
+/// warnings are an error.
 const MAX_WARNINGS: usize = 1000;
 
 impl Srdf {
@@ -53,7 +54,8 @@ impl Srdf {
         faults
     }
 
-    /// Keeps a warning about an element. Beyond the limit it is an error, as nothing may change unsaid.
+    /// Keeps a warning about an element. Beyond the limit it is an error, because no change may go
+    /// unreported.
     fn warn_at(&mut self, reader: &Reader, node: Node, words: Words) -> Result<(), RobotError> {
         let warnings = self.passed_over.iter();
         let count = warnings

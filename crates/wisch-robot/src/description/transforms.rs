@@ -36,7 +36,7 @@ pub struct JointTransform {
 /// Position of a joint as a function of other joints: `offset + Σ factor · position`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointMimic {
-    /// Position if those are all at 0 [rad or m].
+    /// Position of this joint if the positions of the other joints are 0 [rad or m].
     pub offset: f64,
     /// Names of the other joints, with their factors.
     pub terms: Vec<(String, f64)>,

@@ -34,11 +34,11 @@ use std::collections::BTreeSet;
 
 /// Largest number of links of a robot.
 pub const MAX_LINKS: usize = 1000;
-/// Most collision shapes of a robot.
+/// Largest number of collision shapes of a robot.
 pub const MAX_SHAPES: usize = 10_000;
-/// Most elements that deviate from the format.
+/// Largest number of elements that deviate from the format.
 const MAX_DEVIATIONS: usize = 1000;
-/// Most terms of all followers.
+/// Largest number of terms of all followers.
 const MAX_TERMS: usize = 10_000;
 /// Elements of shapes; `<capsule>` is an extension.
 const SHAPES: [&str; 5] = ["box", "cylinder", "capsule", "sphere", "mesh"];
@@ -64,7 +64,7 @@ const MAX_NUMBER: f64 = 1e9;
 pub(crate) struct Reader<'a> {
     file: &'a str,
     text: &'a str,
-    /// Deviations from the format that leave no doubt.
+    /// Deviations from the format whose meaning is clear.
     findings: RefCell<Vec<Diagnostic>>,
 }
 

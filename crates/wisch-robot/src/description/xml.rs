@@ -5,7 +5,8 @@ use std::fmt::Write;
 
 /// Length of the longest text \[bytes\].
 pub const MAX_URDF_BYTES: usize = 8 << 20;
-/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
+/// Largest number of nodes (elements, texts, comments) of the XML; it limits the memory that a
+/// small file can demand.
 const MAX_NODES: u32 = 500_000;
 
 /// Returns the limits within which XML is parsed.

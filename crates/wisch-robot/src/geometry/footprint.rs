@@ -14,7 +14,7 @@ pub const MIN_COMPRESSION_DEPTH: f64 = 1e-5;
 /// Contact depth of a rigid tool \[m\], for the unevenness of an underside.
 pub const RIGID_DEPTH: f64 = 1e-4;
 
-/// Most edges of a footprint; a mesh with more is rejected.
+/// Largest number of edges of a footprint; a mesh with more is rejected.
 pub const MAX_FOOTPRINT_EDGES: usize = 100_000;
 
 /// Number of rings in a batch of a union.

@@ -382,7 +382,7 @@ impl Mesh {
 
     /// Longest side of the bounding box \[m\].
     ///
-    /// A hand tool longer than about 20 m is probably in millimetres.
+    /// The extent of a hand tool above about 20 m is probably in millimetres.
     pub fn extent(&self) -> f64 {
         let (min, max) = self.bounds();
         (max - min).max()
@@ -404,8 +404,9 @@ impl Mesh {
         self.split_edges_by(|a, b| (a - b).norm(), longest)
     }
 
-    /// Returns the same surface in triangles none of whose edges has a measure above `most`, as long as they are not too many.
-    /// `measure` of the ends of an edge is the same in both directions.
+    /// Returns the same surface in triangles of which no edge has a `measure` above `most`, within
+    /// the limit on the number of triangles. `measure` must return the same value for both
+    /// directions of an edge.
     #[must_use]
     pub fn split_edges_by(&self, measure: impl Fn(&Point3, &Point3) -> f64, most: f64) -> Self {
         const MOST_TRIANGLES: usize = 400_000;
@@ -416,7 +417,8 @@ impl Mesh {
             let mut divided = Vec::with_capacity(2 * triangles.len());
             for &[a, b, c] in &triangles {
                 let length = |i: u32, j: u32| measure(&vertices[i as usize], &vertices[j as usize]);
-                // Of equal edges that with the smallest numbers, for both neighbours.
+                // Of equal edges, the edge with the smallest numbers is taken, so that both
+                // neighbours choose the same one.
                 let shorter = |one: &[u32; 3], other: &[u32; 3]| {
                     let key = |[from, to, _]: &[u32; 3]| (*from.min(to), *from.max(to));
                     let [l, m] = [one, other].map(|side| length(side[0], side[1]));

@@ -32,8 +32,8 @@ pub fn restore_pose(&[x, y, z, i, j, k, w]: &[f64; 7]) -> Pose {
 
 /// Pose of a tool in the plane of the surface: position of its tool centre point, and yaw.
 ///
-/// The yaw `heading` is the angle \[rad\] from the surface's x axis to the tool's x axis. The tool's y axis is its broad
-/// side, so a tool with yaw `h` wipes best when it moves along direction `h`.
+/// The yaw `heading` is the angle \[rad\] from the surface's x axis to the tool's x axis. The
+/// tool's y axis is its broad side, so a tool wipes best when it moves in the direction of its yaw.
 ///
 /// ```
 /// use wisch_robot::geometry::{PlanarPose, Point2};

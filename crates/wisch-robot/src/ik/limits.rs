@@ -12,7 +12,7 @@ const SUM_MARGIN: f64 = 1e-9;
 /// Tolerance of a limit [rad or m]; far below [`SUM_MARGIN`].
 const ROUNDING: f64 = 1e-12;
 
-/// Most rounds of projecting positions onto one limit after the other.
+/// Largest number of rounds of projecting positions onto one limit after the other.
 const PROJECTION_ROUNDS: usize = 200;
 
 /// Largest distance of random positions of a sliding joint from a reference [m], as a base may have a wide range.

@@ -29,9 +29,9 @@ pub struct IkConfig {
     pub position_tolerance: f64,
     /// Largest angle between the tool and its target \[rad\].
     pub rotation_tolerance: f64,
-    /// Most steps of one descent.
+    /// Largest number of steps of one descent.
     pub max_iterations: usize,
-    /// Most descents from random positions.
+    /// Largest number of descents from random positions.
     pub max_restarts: usize,
     /// Share of the distance to the posture that a step covers in the null space \[1\].
     pub posture_gain: f64,
@@ -86,10 +86,10 @@ impl IkConfig {
     }
 }
 
-/// Rotations of the target that count.
+/// Rotations of the target that the tool must match.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum RotationGoal {
-    /// All three.
+    /// All three rotations.
     Full,
     /// The tool's z axis must point as the target's does; the tool may rotate about it.
     AboutToolZFree,

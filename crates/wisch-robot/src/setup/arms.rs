@@ -6,7 +6,7 @@ use super::link_names::{is_head, is_leg, side};
 use super::tips::{Tip, choose_tip, outward_axis};
 use crate::{Group, JointKind, LinkAxis, LinkId, RobotModel};
 
-/// Most arms of a robot.
+/// Largest number of arms of a robot.
 const MAX_ARMS: usize = 16;
 /// Number of joints at the end of a chain whose names say whether it is a leg or a head.
 const NAMED_JOINTS: usize = 4;
@@ -24,11 +24,11 @@ pub struct ArmChain {
     pub gripper: Option<LinkId>,
     /// Axis of the tip along which a tool is held: the nearest to the direction from the last joints to the tip.
     pub tip_axis: LinkAxis,
-    /// Angle between the two \[rad\].
+    /// Angle between `tip_axis` and that direction \[rad\].
     pub tip_tilt: f64,
 }
 
-/// A planning group, and why it is proposed.
+/// A planning group, with the reason for proposing it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProposedGroup {
     /// The group.
@@ -100,7 +100,7 @@ pub fn find_arms(robot: &RobotModel, tips: &[LinkId]) -> Result<Vec<ArmChain>, S
             None => movable.push(arm),
         }
     }
-    // A locked arm beside another one is no arm, unless it was named.
+    // A locked arm beside another arm does not count, unless the caller named it.
     match locked {
         Some(locked) if movable.is_empty() || !tips.is_empty() => Err(locked),
         _ => Ok(movable),

@@ -31,7 +31,7 @@ impl Default for SetupConfig {
     }
 }
 
-/// Most random postures of a search.
+/// Largest number of random postures of a search.
 const MAX_SAMPLES: usize = 10_000_000;
 
 impl SetupConfig {

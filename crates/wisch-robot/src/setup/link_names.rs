@@ -1,4 +1,4 @@
-//! What the name of a link or joint says about its part of the robot.
+//! Parts of a robot, by the names of links and joints.
 
 /// Names of a gripper's parts.
 const GRIPPER: [&str; 11] = [
@@ -44,7 +44,7 @@ const SENSOR: [&str; 22] = [
     "antenna",
 ];
 
-/// What a name says about a tip, best first.
+/// Kinds of tips by their names, the best first.
 pub(super) const TIP_KINDS: [&str; 6] = [
     "named as a tool frame (tool0)",
     "named as a tool centre point (tcp)",

@@ -14,7 +14,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Number of postures of a random stream; threads take streams in any order.
 const CHUNK: usize = 250;
-/// Most draws per posture, to get enough postures within the limits of joints that follow others.
+/// Largest number of draws per posture, to get enough postures within the limits of joints that
+/// follow others.
 const MAX_DRAWS: usize = 20;
 /// Share of the postures in which a pair overlaps that is called "Always" [1]; as in MoveIt's Setup Assistant.
 const ALWAYS_SHARE: f64 = 0.95;
@@ -33,7 +34,8 @@ const STEP_FACTOR: f64 = 0.985;
 pub struct LinkPairs {
     /// The pairs with their reasons, in the order Adjacent, Never, Always, Default.
     pub disabled: Vec<DisabledPair>,
-    /// Pairs called `Always` that are close in fewer than 95 % of the postures: near links, which may touch in others.
+    /// Pairs called `Always` that overlap or are close in fewer than 95 % of the postures: near
+    /// links that are checked in no posture, although they are apart in some.
     pub often: Vec<[LinkId; 2]>,
     /// Number of pairs of links with shapes.
     pub total: usize,

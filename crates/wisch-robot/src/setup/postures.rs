@@ -5,14 +5,15 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::PI;
 
-/// Most variables between two near links.
+/// Largest number of variables between two near links.
 pub(super) const MAX_NEAR_VARIABLES: usize = 3;
-/// Most draws of a posture in which the joints that follow others are within their limits.
+/// Largest number of draws of a posture in which the joints that follow others are within their
+/// limits.
 const MAX_DRAWS: usize = 2000;
 /// Range of a sliding joint without limits [m].
 const UNLIMITED_SLIDE: f64 = 1.0;
-/// Longest range of a sliding joint that is searched whole [m]. Of a longer one, which stands for no limits, only the part near
-/// 0 is.
+/// Longest range of a sliding joint that is searched completely [m]. A longer range stands for
+/// missing limits; only its part near 0 is searched.
 const LONGEST_SLIDE: f64 = 100.0;
 
 /// Returns the posture in the middle of all limits, with 0 for unlimited joints: n positions [rad or m].

@@ -18,10 +18,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Clearance above which more does not help [m].
+/// Clearance above which a larger one does not raise the score [m].
 const AMPLE_CLEARANCE: f64 = 0.10;
-/// The same for links that at most three variables move against each other [m]: half of it is just above the clearance
-/// that the planner keeps.
+/// Clearance above which a larger one does not raise the score, for links that at most three
+/// variables move against each other [m]. Half of it is just above the clearance that the planner
+/// keeps.
 const AMPLE_NEAR: f64 = 0.012;
 /// Number of random postures after which a search without a free posture ends.
 const PROBE_SAMPLES: usize = 2000;
@@ -29,13 +30,14 @@ const PROBE_SAMPLES: usize = 2000;
 const SPREADS: usize = 4;
 /// Manipulability up to which a posture is singular: larger by orders of magnitude than its rounding errors [m³ or less].
 pub const SINGULAR: f64 = 1e-7;
-/// Share of the largest manipulability above which more does not help [1].
+/// Share of the largest manipulability above which a larger one does not raise the score [1].
 const AMPLE_MANIPULABILITY: f64 = 0.6;
 /// Number of random postures that measure how far apart the links of a pair can be.
 const AMPLE_SAMPLES: usize = 200;
 /// Least clearance of a pair that is always close, as a share of its largest distance [1].
 const LEAST_SHARE: f64 = 0.5;
-/// Share of half a joint's range to the nearest limit above which more does not help [1].
+/// Share of half a joint's range to the nearest limit above which a larger one does not raise the
+/// score [1].
 const AMPLE_RANGE: f64 = 0.35;
 /// Largest share of the score that a place at the border of the region costs [1].
 const BORDER_COST: f64 = 0.3;
@@ -47,7 +49,7 @@ const TURN_COST: f64 = 1.5;
 const MAX_TILT: f64 = 0.01;
 /// Clearance from obstacles [m], which the planner keeps as well.
 const OBSTACLE_CLEARANCE: f64 = 5e-3;
-/// Least difference of a joint between two postures of which one does not stand for the other [rad or m].
+/// Least difference of a joint between two postures that both are returned [rad or m].
 const DISTINCT: f64 = 0.8;
 /// Clearance up to which pairs are measured [m].
 const MAX_CLEARANCE: f64 = 1.0;
@@ -65,7 +67,7 @@ const DESCENT: IkConfig = IkConfig {
     max_step: 0.5,
 };
 
-/// What a ready posture is searched for.
+/// Input of the search for a ready posture.
 #[derive(Debug, Clone, Copy)]
 pub struct ReadyRequest<'a> {
     /// The robot.
@@ -96,7 +98,7 @@ pub struct ReadyPosture {
     pub manipulability: f64,
     /// Distance to the nearest limit, as a share of half the joint's range: 0 at a limit, 1 in the middle \[1\].
     pub limit_share: f64,
-    /// Angle between that axis of the tip and the direction into the surface \[rad\].
+    /// Angle between the axis of the tip and the direction into the surface \[rad\].
     pub tilt: f64,
     /// Position of the end of the tip's shapes in the root frame \[m\].
     pub tip: Point3,
@@ -126,7 +128,7 @@ struct Search<'a> {
     base_from_root: Pose,
     /// The end of the tip's shapes, where a tool begins.
     tip_from_end: Pose,
-    /// Distance of each pair above which more does not help [m].
+    /// Distance of each pair above which a larger one does not raise the score [m].
     ample: Vec<f64>,
     /// Joints outside their limits in the held posture.
     held_faults: Vec<String>,
@@ -237,7 +239,7 @@ pub fn manipulability(chain: &Chain, q: &[f64]) -> Result<f64, SetupError> {
     Ok(square.determinant().max(0.0).sqrt())
 }
 
-/// Returns the distance of each pair above which more does not help [m].
+/// Returns the distance of each pair above which a larger one does not raise the score [m].
 fn measure_ample(
     request: &ReadyRequest<'_>,
     chain: &Chain,
@@ -288,7 +290,7 @@ impl Search<'_> {
         };
         let probed = total.min(PROBE_SAMPLES);
         let mut found: Vec<Candidate> = (0..probed).into_par_iter().map(of_sample).collect();
-        // If none of many is free, the rest would only take time.
+        // If none of many postures is free, the search ends to save time.
         if found
             .iter()
             .any(|candidate| matches!(candidate, Candidate::Free(_)))
@@ -401,7 +403,7 @@ fn choose(
     let is_straight = |posture: &ReadyPosture| posture.tilt <= MAX_TILT;
     let any_straight = free.iter().any(is_straight);
     let most = (free.iter().map(|posture| posture.manipulability)).fold(0.0, f64::max);
-    // Of an arm that is singular everywhere, manipulability tells no posture from another.
+    // For an arm that is singular everywhere, manipulability does not distinguish postures.
     let ability = |posture: &ReadyPosture| {
         if most > SINGULAR {
             (posture.manipulability / (AMPLE_MANIPULABILITY * most)).min(1.0)

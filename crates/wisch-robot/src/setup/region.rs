@@ -1,4 +1,5 @@
-//! Where a ready posture holds the tool: over the place where a surface is, or is likely to be.
+//! The region in which a ready posture holds the tool: over a known surface, or over the probable
+//! place of one.
 
 use super::postures::random_stream;
 use super::{ArmChain, SetupError};
@@ -32,7 +33,8 @@ const BELOW_HANGING: [f64; 2] = [0.80, 0.40];
 const OVER_SURFACE: [f64; 2] = [0.15, 0.40];
 /// Distance of a table below the lowest link that its arm cannot lift [m].
 const TABLE_GAP: f64 = 0.01;
-/// Extent that a known surface is given at least, so that a small one can be approached from several places [m].
+/// Least extent of a region over a known surface, so that a small surface can be approached from
+/// several places [m].
 const MIN_EXTENT: f64 = 0.2;
 
 /// A box in which the tip of an arm waits, over a surface. Its z axis is the outward normal of the surface, against
@@ -145,7 +147,8 @@ impl WipingRegion {
 
     /// Returns the region with heights over a level surface.
     ///
-    /// `height`: height of the surface in the robot's root frame \[m\].
+    /// `height`: height of the surface in the robot's root frame \[m\]. `name`: name of the
+    /// surface.
     #[must_use]
     pub fn with_height(mut self, height: f64, name: &str) -> Self {
         let from_root = height - self.root_from_region.translation.z;

@@ -16,7 +16,7 @@ const AXIS_MARGIN: f64 = 0.1;
 /// Largest angle of a z axis that points away from the hand [rad].
 const MAX_TILT: f64 = FRAC_PI_3;
 
-/// A link that holds the tool, and why.
+/// A link that holds the tool, with the reason for choosing it.
 pub(super) struct Tip {
     pub link: LinkId,
     /// Reason, in words.

@@ -1,8 +1,9 @@
 //! Faults of a timed motion, found from its samples alone.
 //!
-//! The check does not know how motions are timed. Between samples it uses a mean-value theorem instead of
-//! interpolation. If a joint obeys its limits at every time, so do the divided differences of its recorded
-//! positions and velocities, for any sample period; differences that do not are faults.
+//! The check does not depend on how motions are timed. Between samples it uses a mean-value theorem
+//! instead of interpolation. If a joint keeps its limits at every time, so do the divided
+//! differences of its recorded positions and velocities, for any sample period; differences that
+//! exceed the limits are faults.
 
 use super::{JointLimits, JointPath, TrajectorySample};
 use thiserror::Error;

@@ -27,7 +27,7 @@ pub const MAX_GRID_INTERVALS: usize = 4_000_000;
 /// The smallest blend tolerance [rad or m]: nearly a stop in every corner.
 pub const MIN_BLEND_TOLERANCE: f64 = 1e-6;
 
-/// How much [`time_path`] rounds corners, and how finely it searches for speeds.
+/// Tolerance with which [`time_path`] rounds corners, and resolution of its search for speeds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TimingConfig {
     /// Largest deviation of any joint from the straight segments, and from a waypoint when passing it [rad or
@@ -54,7 +54,8 @@ impl Default for TimingConfig {
 ///
 /// The motion starts and ends exactly at the first and last waypoint and passes all others in order. Waypoints
 /// nearer to the last one than a tenth of the tolerance are skipped, repeated ones too; their shortest times
-/// are kept. If all waypoints are the same, the duration is 0. The same input gives the same bytes.
+/// are kept. If all waypoints are the same, the duration is 0. The same input gives the same
+/// result, bit by bit.
 ///
 /// ```
 /// use wisch_robot::timing::{JointLimit, JointLimits, JointPath, TimingConfig, time_path};

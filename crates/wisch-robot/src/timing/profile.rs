@@ -9,7 +9,8 @@
 use super::blends::BlendedPath;
 use super::{JointLimits, MAX_GRID_INTERVALS};
 
-/// Relative distance kept from the limits [1]: far more than rounding errors, far less than matters.
+/// Relative distance kept from the limits [1]: far above rounding errors, and negligible for the
+/// duration.
 const LIMIT_MARGIN: f64 = 1e-8;
 
 /// Controllable speeds are reduced by this share, so that rounding cannot leave them without a successor.

@@ -1,7 +1,8 @@
 //! Checkpoints: the executed rounds of a run on disk, so that a killed run can resume.
 //!
-//! A resumed run recomputes planning and interpretation, with the same result. What takes long to compute is the execution:
-//! a checkpoint holds its outcome and the exact times of its samples, and the round's bag holds the samples.
+//! A resumed run recomputes planning and interpretation, with the same result. Only the execution
+//! takes long: a checkpoint holds its outcome and the exact times of its samples, and the round's
+//! bag holds the samples.
 
 mod record;
 
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 use wisch::represent::Observation;
 use wisch::run::{RecordedRound, RecordedSample, Round};
 
-/// Version of the records whose samples lie beside them in a file, each sample with its time first.
+/// Version of the records whose samples are in a separate file, each sample with its time first.
 const SCHEMA_WITH_SAMPLES: u32 = 5;
 /// Numbers in a sample of such a file beside those of the joints: time, two poses and two wrenches.
 const NUMBERS: usize = 1 + 2 * 7 + 2 * 6;
@@ -138,7 +139,7 @@ impl Checkpoints {
             return None;
         }
         for (sample, time) in samples.iter_mut().zip(times) {
-            // Another bag than that of this round.
+            // The bag is not the one of this round.
             if (sample.time - time).abs() > ROUNDED_S {
                 return None;
             }

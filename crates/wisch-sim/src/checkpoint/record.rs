@@ -393,7 +393,7 @@ impl From<EndingRecord> for Ending {
                     let known = StopKind::ALL
                         .into_iter()
                         .find(|known| known.as_str() == kind);
-                    // Checkpoints of earlier versions know no kinds.
+                    // Checkpoints of earlier versions do not hold the kind.
                     let kind = known.unwrap_or(StopKind::ProtectiveStop);
                     StopCause::Reported { kind, reason }
                 }

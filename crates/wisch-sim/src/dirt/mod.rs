@@ -19,13 +19,13 @@ const GRAIN_SEED: u64 = 0x6772_6169_6e73_0000;
 /// Ground truth of one grain, or of one point of a treated surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grain {
-    /// Position, or where it left the surface, in the frame of the real surface \[m\].
+    /// Position, or the place at which it left the surface, in the frame of the real surface \[m\].
     pub position: Point2,
-    /// What became of the grain.
+    /// Fate of the grain.
     pub fate: Fate,
     /// Radius \[m\].
     pub radius: f64,
-    /// Normalised pressure above which the tool takes the grain along \[1\].
+    /// Normalised pressure above which the tool moves or absorbs the grain \[1\].
     pub threshold: f64,
     /// Depth that the tool rubbed off at this point \[m\].
     pub wear: f64,
@@ -59,14 +59,16 @@ impl Dirt {
         })
     }
 
-    /// TrueDirt a grain on each particle, with size and threshold drawn from `settings`.
+    /// Returns dirt with a grain on each particle, whose size and threshold are drawn from
+    /// `settings`.
     pub fn scatter(
         particles: &ParticleDistribution,
         settings: &SimulationSettings,
         seed: u64,
     ) -> Self {
         let grain = |(i, (position, fate)): (usize, (Point2, Fate))| {
-            // Each grain has a random stream of its own, so that its properties do not depend on the other grains.
+            // Each grain has its own random stream, so that its properties do not depend on the
+            // other grains.
             let mut random = ChaCha8Rng::seed_from_u64(seed ^ GRAIN_SEED);
             random.set_stream(i as u64);
             let size = settings.grain_size;

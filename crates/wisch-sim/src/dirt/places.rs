@@ -41,7 +41,7 @@ pub struct WorkSurface {
 }
 
 impl WorkSurface {
-    /// Returns the surface of a task with the objects on it, without the believed dirt.
+    /// Returns the surface of a task with the objects on it; the believed dirt is not used.
     pub fn from_task(task: &Task) -> Self {
         Self {
             world_from_surface: task.surface.world_from_surface,
@@ -143,7 +143,7 @@ pub(super) fn draw_positions(
             direction,
             width,
         } => {
-            // All three are drawn, needed or not, so that a given value does not change the drawn ones.
+            // All three are always drawn, so that a given value does not change the drawn ones.
             let anywhere = surface.place(shape)?;
             let center = center.unwrap_or(anywhere);
             let drawn = draw_between([0.0, TAU / 2.0], shape);

@@ -1,4 +1,4 @@
-//! The robot's bodies and what moves them: efforts, position drives, and joints that follow others.
+//! The robot's bodies and their actuation: efforts, position drives, and joints that follow others.
 
 use super::compliance::foam_springs;
 use super::held_tool::HeldTool;
@@ -44,7 +44,7 @@ pub(super) struct Link {
     pub(super) slides: bool,
 }
 
-/// Assignment of the articulation's variables to what moves them.
+/// Kind of actuation of the articulation's variables.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drives<'a> {
     /// Variables that efforts move.

@@ -21,10 +21,10 @@ const MOST_CORNERS: usize = 5;
 const LEAST_CORNER: f64 = 1e-3;
 /// Error of the mean compression that is left [m].
 const LEAST_EXCESS: f64 = 1e-12;
-/// Share of the springs that are taken to touch at least when the slab follows the plate [1].
+/// Least share of the springs that count as touching when the slab follows the plate [1].
 const LEAST_TOUCHING: f64 = 1e-2;
 
-/// Returns the real surface of a task: the believed outline, elsewhere, and perhaps with another bend.
+/// Returns the real surface of a task: the believed outline at the real pose, with the real shape.
 pub(crate) fn find_real_surface(task: &Task, settings: &SimulationSettings) -> Surface {
     Surface {
         world_from_surface: task.surface.world_from_surface * settings.believed_from_real,
@@ -82,7 +82,7 @@ fn without_flat_corners(mut corners: Vec<Point2>) -> Vec<Point2> {
     corners
 }
 
-/// What lies under the tool at present.
+/// The surface under the tool at the current time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GroundUnderTool {
     /// Foot of the tool in the chart [m].
@@ -211,7 +211,8 @@ impl Plant {
         }
         if let Some(bent) = &self.bent {
             let (goal, touching) = bent.raise(&at.rotation, self.compression().depth);
-            // The compression follows from the slab's height in turn; a Newton step towards both keeps still.
+            // The compression in turn depends on the slab's height; the damped Newton step
+            // converges to both.
             raise += (goal - raise) * touching.max(LEAST_TOUCHING);
         }
         self.ground = GroundUnderTool {

@@ -1,7 +1,8 @@
 //! The plant: the robot as a multibody, its compliant tool, the real surface and the scene.
 //!
-//! This module builds and steps the plant. Module `drives` holds the robot's bodies and what moves them, `compliance`
-//! the tool and its plate, `ground` the surface under the tool, and `shapes` the collision shapes.
+//! This module builds and steps the plant. Module `drives` holds the robot's bodies and their
+//! actuation, `compliance` the tool and its plate, `ground` the surface under the tool, and
+//! `shapes` the collision shapes.
 
 mod compliance;
 mod drives;
@@ -35,8 +36,8 @@ use wisch::robot::Articulation;
 /// Acceleration of free fall [m/s²].
 pub(super) const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// Typical length in this world [m], that of grains. With the engine's usual metre, its broad phase would pair
-/// everything with everything.
+/// Typical length in this world [m], that of grains. With the engine's default of a metre, its
+/// broad phase would pair all bodies.
 const LENGTH_UNIT: f64 = 0.01;
 /// Distance below which the engine prepares contacts [m].
 const PREDICTION: f64 = 2e-3;

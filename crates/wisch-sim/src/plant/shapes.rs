@@ -34,7 +34,8 @@ pub(super) fn add_scene(
     settings: &SimulationSettings,
 ) -> Vec<ColliderHandle> {
     let mut added = Vec::new();
-    // The real robot stands elsewhere than believed, so surface and scene are displaced together.
+    // The pose of the real robot differs from the believed one, so surface and scene are displaced
+    // together.
     let world_from_surface = task.surface.world_from_surface;
     let moved = world_from_surface * settings.believed_from_real * world_from_surface.inverse();
     for object in &task.scene {
@@ -80,7 +81,7 @@ pub(super) fn add_shapes(
         let (Some(joint), joint_from_link) = articulation.carrier(id) else {
             continue;
         };
-        // Drives hold what stands on the floor, and wheels are not simulated.
+        // Drives hold the links that stand on the floor, and wheels are not simulated.
         if !is_compliant(articulation, compliant, joint) {
             continue;
         }

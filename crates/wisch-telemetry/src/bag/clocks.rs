@@ -32,8 +32,9 @@ impl Offset {
         })
     }
 
-    /// Returns the shift [ns] that brings times of this clock onto `other`. `None` if the clocks differ by less than
-    /// recording takes, or by less than their difference varies.
+    /// Returns the shift [ns] that converts times of this clock to those of `other`. `None` if the
+    /// clocks differ by less than recording takes, or by less than the variation of their
+    /// difference.
     pub fn shift_onto(self, other: Self) -> Option<i64> {
         let shift = other.median.saturating_sub(self.median);
         let varies = self.spread.saturating_add(other.spread).saturating_mul(2);
@@ -57,7 +58,7 @@ mod tests {
         );
         let shift = offset([3200, 3198, 3199, 3205]).shift_onto(recorder);
         assert_eq!(shift, Some(-3_201_000_000));
-        // The recorder wrote no times of its own, so the difference grows with the stamps.
+        // The recorder did not write its own times, so the difference grows with the stamps.
         assert_eq!(
             offset([0, 500, 1000, 1500]).shift_onto(offset([900, 901, 902, 903])),
             None

@@ -25,7 +25,7 @@ impl JointStates {
         channel.schema.as_ref().is_some_and(is_one) && channel.topic.ends_with(MEASURED_TOPIC)
     }
 
-    /// Finds the fields of a message that hold them.
+    /// Finds the fields of a message that hold joint positions.
     pub fn find(schema: &Schema) -> Option<Self> {
         let list = |name: &str, kind: Kind| {
             let (path, field) = schema.find(schema.root(), name)?;

@@ -1,4 +1,5 @@
-//! What a driver states about its samples, as messages: the quality of the wrench, pauses, and absolute stamps.
+//! Statements of a driver about its samples, as messages: the quality of the wrench, pauses, and
+//! absolute stamps.
 
 use crate::ros2::messages::{
     Header, NANOSECONDS_PER_SECOND, RecordedTimeReference, Time, TimeReference,

@@ -4,7 +4,7 @@ use crate::error::ReadFault;
 use std::borrow::Cow;
 use std::io::{self, Read};
 
-/// Why a chunk cannot be unpacked.
+/// A reason why a chunk cannot be unpacked.
 #[derive(Debug)]
 pub(crate) enum UnpackError {
     /// Its compression is unknown.

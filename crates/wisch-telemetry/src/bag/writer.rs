@@ -27,9 +27,9 @@ use wisch::plan::Stroke;
 use wisch::represent::{Observation, SurfaceShape};
 use wisch::run::{SampleStatus, TelemetrySample};
 
-/// Longest time that a killed program loses [ns]: a chunk is written when it covers this time,
+/// Longest time that a killed program loses [ns]: a chunk is written when it covers this time.
 const CHUNK_TIME: u64 = NANOSECONDS_PER_SECOND;
-/// or when it has this length [bytes].
+/// Length from which a chunk is written before that time [bytes].
 const CHUNK_LEN: u64 = 1 << 20;
 /// Least time between two messages of `/tf` [ns]: 50 Hz, enough for displays.
 const TF_PERIOD: u64 = NANOSECONDS_PER_SECOND / 50;
@@ -420,7 +420,8 @@ impl BagWriter {
         Ok(self.head.start + (time * NANOSECONDS_PER_SECOND as f64).round() as u64)
     }
 
-    /// Writes what the driver states about a sample, if that differs from the last sample, and its stamp.
+    /// Writes the driver's statements about a sample, if they differ from those about the last
+    /// sample, and its stamp.
     fn write_status(&mut self, time: u64, status: SampleStatus) -> Result<(), WriteError> {
         if let Some(stamp) = status.stamp {
             self.put(Topic::Stamp, time, &to_message(time, stamp))?;
@@ -429,7 +430,7 @@ impl BagWriter {
             stamp: None,
             ..status
         };
-        // Repeated, so that a part that is cut from the bag states it too.
+        // The status is repeated, so that a part that is cut from the bag holds it as well.
         let is_repeated =
             self.last_status.is_some() && is_due(self.last_status, time, STATUS_PERIOD);
         if status == self.status && !is_repeated {

@@ -7,7 +7,7 @@ use std::num::NonZero;
 /// Largest number of lines in a schema: far above any message that robots exchange.
 const MAX_LINES: usize = 100_000;
 
-/// Why a schema cannot be read.
+/// A reason why a schema cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SchemaError {
     /// The schema is not text.

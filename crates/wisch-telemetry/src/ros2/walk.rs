@@ -11,7 +11,7 @@ const MAX_DEPTH: usize = 64;
 /// Largest number of kept numbers or texts in a list, more than a robot has joints.
 const MAX_KEPT: usize = 1000;
 
-/// Why a message cannot be decoded.
+/// A reason why a message cannot be decoded.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MessageError {
     /// The message ends too early.

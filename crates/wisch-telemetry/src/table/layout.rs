@@ -44,7 +44,8 @@ const SPLIT_TIMES: [([&str; 2], i64); 10] = [
     (["sec", "usec"], 1000),
     (["sec", "microsec"], 1000),
 ];
-/// Last words before them, without which two such columns are durations or something else.
+/// Words before these endings; with other words, two such columns are durations or another
+/// quantity.
 const STEMS: [&str; 7] = ["", "stamp", "time", "timestamp", "t", "tv", "clock"];
 
 /// Columns of whole seconds and of the parts beyond them.
@@ -362,7 +363,8 @@ impl Finder<'_> {
         for form in forms.filter(|form| chosen.is_none_or(|chosen| chosen == *form)) {
             let ours = form.names();
             let is_renamed = ours.iter().any(|name| self.renaming(name).is_some());
-            // Plain letters may mean anything; beside a position and with the same prefix they are KUKA's angles.
+            // Single letters are ambiguous; beside a position and with the same prefix they are
+            // KUKA's angles.
             let may_be_plain = form != OrientationForm::Abc || chosen.is_some();
             if is_renamed || may_be_plain {
                 let plain: Vec<Option<Column>> = (ours.iter())

@@ -189,7 +189,7 @@ fn each<T: DataType>(
             return Ok(());
         }
         rows += records;
-        // A few bytes may stand for any number of equal values.
+        // A few bytes may encode any number of equal values.
         check_rows(rows)?;
         let mut values = values.into_iter();
         if full == 0 {

@@ -1,6 +1,7 @@
-//! The nine cells of the paper's Table 1, with KDE or another strategy, followed by the humanoid: performance of the plan and of
-//! what the robot wipes, nodes abandoned, execution
-//! time beside the paper's, and how long the whole computation takes (§3.4).
+//! The nine cells of the paper's Table 1, with KDE or another strategy, followed by the humanoid.
+//! It prints the performance of the plan and of the strokes that the robot follows, the number of
+//! abandoned nodes, the execution time beside that of the paper, and the duration of the
+//! computation (§3.4).
 //!
 //! ```text
 //! cargo run --release --package wisch --example follow -- [number of seeds, default 5] [first seed, default 1] [strategy, default kde]
@@ -35,7 +36,7 @@ const PAPER: [[[f64; 3]; 3]; 3] = [
     ],
 ];
 
-/// What a trial gives.
+/// Result of a trial.
 struct Trial {
     performance: f64,
     planned: f64,

@@ -9,13 +9,15 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix3, Matrix6, Matrix6xX, Vec
 
 /// Number of periods between two designs of the damping; the inertia changes slowly.
 const DESIGN_EVERY: usize = 10;
-/// Smallest inertia at the tool for the design of the damping [kg, kg m²], and largest for translation [kg] and
-/// rotation [kg m²]. Where a wrist is singular, the inertia about one direction is unbounded. A damping
-/// designed for that inertia would throw the wrist a moment later, beside the singularity.
+/// Smallest inertia at the tool for the design of the damping [kg, kg m²], and largest inertia for
+/// translation [kg] and for rotation [kg m²]. Where a wrist is singular, the inertia about one
+/// direction is unbounded. A damping designed for that inertia would accelerate the wrist abruptly
+/// a moment later, beside the singularity.
 const LEAST_INERTIA: f64 = 1e-3;
 const MOST_INERTIA: [f64; 2] = [50.0, 0.5];
-/// Smallest mobility of the tool [1/kg, 1/(kg m²)], and as shares of the mobility in all three directions of
-/// translation and of rotation [1]. Directions of rotation differ more.
+/// Smallest mobility of the tool [1/kg, 1/(kg m²)]; and the smallest shares of the total mobility
+/// over the three directions of translation and of rotation [1]. The directions of rotation differ
+/// more.
 const LEAST_MOBILITY: f64 = 1e-6;
 const LEAST_SHIFT: f64 = 1e-5;
 const LEAST_TURN: f64 = 1e-7;
@@ -86,9 +88,16 @@ pub struct ImpedanceController {
 }
 
 impl ImpedanceController {
-    /// Returns a controller that moves the variables `compliant` of an articulation within their ranges. Its
-    /// stiffness along the surface is that of the configuration, along the normal that of the knowledge base. On a
-    /// cylinder these axes turn with the desired pose of the tool.
+    /// Returns a controller that moves the variables `compliant` of an articulation.
+    ///
+    /// - `compliant`: indices into the articulation's variables.
+    /// - `ranges`: range of each compliant variable [rad or m]; `None` for a variable without
+    ///   limits.
+    /// - `interaction`: press force, stiffness along the normal, damping ratio and weight of the
+    ///   posture.
+    /// - `surface`: its normal gives the axes of the stiffness; on a curved surface they turn with
+    ///   the desired pose of the tool.
+    /// - `config`: stiffness along the surface, and the remaining gains.
     pub fn new(
         compliant: Vec<usize>,
         ranges: Vec<Option<Range>>,
@@ -138,8 +147,8 @@ impl ImpedanceController {
         self.efforts.as_slice()
     }
 
-    /// Computes the efforts and returns f_c. Returns `None` if the mass matrix is not positive definite, as for
-    /// a robot without inertia.
+    /// Computes the efforts and returns f_c, the controller's wrench on the tool. Returns `None` if
+    /// the mass matrix is not positive definite, as for a robot without inertia.
     pub fn command(
         &mut self,
         state: &ArticulationState,
@@ -198,7 +207,7 @@ impl ImpedanceController {
         (self.stiffness.fixed_view_mut::<3, 3>(0, 0)).copy_from(&linear);
     }
 
-    /// Keeps the joints within their ranges, also if a person pushes the arm.
+    /// Keeps the joints within their ranges, even if a person pushes the arm.
     fn stop_at_ends(&mut self, measured: &MeasuredJointState<'_>) {
         let Some(mass) = self.mass.as_ref() else {
             return;
@@ -308,7 +317,8 @@ impl ImpedanceController {
         }
     }
 
-    /// Returns the external wrench that causes the external efforts of the compliant variables: Λ J M⁻¹ τ_ext.
+    /// Returns the external wrench on the tool that causes the external efforts of the compliant
+    /// variables: Λ J M⁻¹ τ_ext. `external_efforts`: one entry per compliant variable [Nm or N].
     pub fn external_wrench(&self, external_efforts: &[f64]) -> Wrench {
         let mut moved = Vector6::zeros();
         for (k, effort) in external_efforts.iter().enumerate() {
@@ -324,21 +334,26 @@ impl ImpedanceController {
     }
 }
 
-/// Returns the signed distance of a position beyond the nearer end of a range; `None` within the range.
+/// Returns the signed distance of a position beyond the nearer end of a range [rad or m], negative
+/// below the lower end; `None` within the range.
 pub fn distance_beyond(range: &Range, position: f64) -> Option<f64> {
     let over = (position - range.upper).max(0.0) + (position - range.lower).min(0.0);
     (over != 0.0).then_some(over)
 }
 
-/// Effort of a joint's end stop: a spring back to the end of its range, and a damper while the joint moves
-/// further out.
+/// Returns the effort of a joint's end stop [Nm or N]: a spring back to the end of its range, and a
+/// damper while the joint moves further out.
+///
+/// `beyond`: see [`distance_beyond`]. `velocity`: of the joint [rad/s or m/s]. `inertia`: at the
+/// joint [kg m² or kg].
 pub fn end_stop_effort(beyond: f64, velocity: f64, inertia: f64) -> f64 {
     let outwards = (velocity * beyond.signum()).max(0.0) * beyond.signum();
     // Critically damped: −m (ω² x + 2 ω v), with the velocity v outwards only.
     -inertia * (END_STOP_RATE * END_STOP_RATE * beyond + 2.0 * END_STOP_RATE * outwards)
 }
 
-/// S: returns the vector, shortened to the limit with its direction kept.
+/// The saturation S of (8): returns the vector with its norm limited to `limit` and its direction
+/// kept.
 pub fn saturate(vector: Vector3, limit: f64) -> Vector3 {
     let norm = vector.norm();
     if norm > limit {

@@ -1,9 +1,10 @@
 //! Compliant control for a robot's driver: the whole-body impedance controller (8), and the observer that
 //! estimates external forces from joint torques; paper §4.1.
 //!
-//! Torso and arm are driven by torques alone. The controller pulls the tool along its line with a spring that
-//! is commanded into the surface and saturates at the force of the task. A person who pushes the robot
-//! therefore meets no larger force. The controller does not know whether the robot is real or simulated.
+//! Torso and arm are driven by torques alone. A spring that is commanded into the surface pulls the
+//! tool along its line; its force saturates at the force of the task. A person who pushes the robot
+//! therefore meets no larger force. The controller does not depend on whether the robot is real or
+//! simulated.
 
 mod config;
 mod impedance;

@@ -1,4 +1,4 @@
-//! The external-torque observer: joint torques that the model does not explain.
+//! The external-torque observer: estimates joint torques that the model does not explain.
 
 use crate::robot::ArticulationState;
 use nalgebra::DMatrix;
@@ -17,7 +17,8 @@ pub struct MomentumObserver {
 }
 
 impl MomentumObserver {
-    /// Returns an observer of some variables of an articulation of `n` variables. `gain`: its bandwidth [1/s].
+    /// Returns an observer of the variables with these indices, in an articulation of `n`
+    /// variables. `gain`: bandwidth of the observer [1/s].
     pub fn new(variables: &[usize], n: usize, gain: f64) -> Self {
         Self {
             gain,
@@ -30,10 +31,12 @@ impl MomentumObserver {
         }
     }
 
-    /// Updates the observer with the present state and with the efforts of the observed variables since the
-    /// last call, and returns the external efforts [Nm or N].
+    /// Updates the observer and returns the external efforts of the observed variables [Nm or N].
     ///
-    /// `qd`: velocities of all variables. `period`: time since the last call \[s\].
+    /// - `state`: current mass matrix and bias of the articulation.
+    /// - `qd`: velocities of all n variables [rad/s or m/s].
+    /// - `efforts_since`: efforts of the observed variables since the last call [Nm or N].
+    /// - `period`: time since the last call \[s\].
     pub fn update(
         &mut self,
         state: &ArticulationState,

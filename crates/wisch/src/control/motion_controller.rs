@@ -11,12 +11,12 @@ use crate::represent::Task;
 use crate::robot::{Articulation, ArticulationState, Body, RobotError};
 use nalgebra::{Matrix3, Matrix6xX, Translation3, Vector6};
 
-/// Acceleration of free fall in the world [m/s²].
+/// Gravitational acceleration in the world [m/s²].
 const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 
-/// Returns the commanded pose that makes the tool press: its pose on the estimated surface, shifted into the
-/// surface by as much as the spring needs. The shift grows as the tool comes down. In free motion the pose
-/// stays as it is.
+/// Returns the commanded pose with which the tool presses: `world_from_tool`, its pose on the
+/// estimated surface, shifted into the surface as far as the spring requires. The shift grows as
+/// the tool comes down. In free motion the pose does not change.
 pub fn press_into_surface(
     world_from_tool: Pose,
     phase: Option<Phase>,
@@ -33,7 +33,8 @@ pub fn press_into_surface(
     press_by_share(world_from_tool, share, task, config)
 }
 
-/// Returns the height of the tool over the believed surface, and the normal of the surface there.
+/// Returns the height of the tool over the believed surface [m], and the normal of the surface
+/// there, in the world.
 fn height_and_normal(world_from_tool: &Pose, task: &Task) -> (f64, Vector3) {
     let tool: Point3 = world_from_tool.translation.vector.into();
     let surface = &task.surface;
@@ -46,7 +47,8 @@ fn height_and_normal(world_from_tool: &Pose, task: &Task) -> (f64, Vector3) {
     (at.height, surface.normal(at.place))
 }
 
-/// Returns a pose of the tool, shifted into the surface by a share of the depth at which the spring presses fully.
+/// Returns a pose of the tool, shifted into the surface by a share of the depth at which the spring
+/// exerts its full force.
 fn press_by_share(world_from_tool: Pose, share: f64, task: &Task, config: &ControlConfig) -> Pose {
     let (_, normal) = height_and_normal(&world_from_tool, task);
     let interaction = &task.interaction;
@@ -55,7 +57,7 @@ fn press_by_share(world_from_tool: Pose, share: f64, task: &Task, config: &Contr
     Translation3::from(-normal * (depth * share)) * world_from_tool
 }
 
-/// What decides how far the commanded tool is pressed into the surface.
+/// Input that determines how far the commanded tool is shifted into the surface.
 #[derive(Debug, Clone, Copy)]
 enum Press {
     /// The phase of a motion and the height of the tool.
@@ -64,8 +66,8 @@ enum Press {
     Share(f64),
 }
 
-/// Returns the load of a tool of this mass \[kg\] on the link that holds it: a cuboid of this extent \[m\] at the
-/// tool centre point.
+/// Returns the load of a tool of this mass \[kg\] on the link that holds it: a cuboid at the tool
+/// centre point, of this `extent` along the tool's x and y \[m\], and as high as the shorter side.
 pub fn tool_load(tip_from_tool: &Pose, extent: Vector2, mass: f64) -> Body {
     // Moment of inertia of a cuboid: m (a² + b²) / 12.
     let about = |a: f64, b: f64| mass / 12.0 * (a * a + b * b) + 1e-6;
@@ -103,8 +105,8 @@ impl ControlCommand {
 
 /// Drives a robot along a motion by torques, compliantly. It allocates all memory at the start.
 ///
-/// Of the moving variables, those of arm and torso are compliant. All other variables, for example those of a
-/// mobile base, must be held at their planned positions by their own drives.
+/// Of the moving variables, those of arm and torso are compliant. The drives of all other
+/// variables, for example those of a mobile base, must hold them at their planned positions.
 #[derive(Debug, Clone)]
 pub struct MotionController {
     config: ControlConfig,
@@ -127,10 +129,11 @@ pub struct MotionController {
 }
 
 impl MotionController {
-    /// Returns a controller for a motion of a robot with a tool of this mass \[kg\] in its hand.
+    /// Returns a controller for a motion of a robot with a tool of this mass \[kg\] in its hand;
+    /// `None` if no moving joint carries the tool.
     ///
     /// # Errors
-    /// [`RobotError`] if the robot does not have these joints.
+    /// [`RobotError`] if the robot does not have the joints of the motion.
     pub fn new(
         task: &Task,
         cell: &Workcell,
@@ -245,9 +248,10 @@ impl MotionController {
         &self.planned_sample
     }
 
-    /// Runs one control period: from the measured positions [rad or m] and velocities [rad/s or m/s] of all n
-    /// variables to the efforts. The observer assumes that the efforts of the last call acted for one period
-    /// since. Returns `None` if the mass matrix is not positive definite, as for a robot without inertia.
+    /// Runs one control period: computes the efforts from the measured positions [rad or m] and
+    /// velocities [rad/s or m/s] of all n variables, at a `time` of the motion \[s\]. The observer
+    /// assumes that the efforts of the last call acted for one period. Returns `None` if the mass
+    /// matrix is not positive definite, as for a robot without inertia.
     ///
     /// # Panics
     /// If an array is shorter than the robot has variables.
@@ -270,7 +274,8 @@ impl MotionController {
         self.control(task, press, positions, velocities)
     }
 
-    /// As [`Self::command`], toward a setpoint that the caller gives instead of a motion.
+    /// Does the same as [`Self::command`], but towards a setpoint that the caller gives instead of
+    /// a motion.
     ///
     /// - `setpoint`: all n variables of the robot.
     /// - `press_share`: how far the tool is pressed into the surface, from 0 (not at all) to 1 (fully).
@@ -289,7 +294,7 @@ impl MotionController {
         self.control(task, Press::Share(press_share), positions, velocities)
     }
 
-    /// Runs one control period toward the planned sample.
+    /// Runs one control period towards the planned sample.
     fn control(
         &mut self,
         task: &Task,

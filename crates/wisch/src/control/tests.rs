@@ -1,4 +1,4 @@
-//! Laws of the controller and the observer.
+//! Tests of the controller and the observer against their equations.
 
 use super::impedance::{
     DesiredPosture, DesiredToolState, ImpedanceController, MeasuredJointState, distance_beyond,
@@ -88,7 +88,7 @@ impl Machine {
         self.state.pose(self.carrier)
     }
 
-    /// Evaluates the present state.
+    /// Computes the state of the articulation from the current positions and velocities.
     fn measure(&mut self) {
         self.moving
             .evaluate(&mut self.state, &self.q, &self.qd, GRAVITY);
@@ -194,7 +194,7 @@ fn an_observer_converges_to_an_unknown_effort() {
     arm.measure();
     let goal = arm.world_from_tool();
     let mut seen = Vec::new();
-    // Fifteen time constants.
+    // After fifteen time constants, the observer has settled.
     for _ in 0..100 {
         arm.measure();
         let efforts = arm.controller.efforts().to_vec();
@@ -210,7 +210,7 @@ fn an_observer_converges_to_an_unknown_effort() {
             (share - 0.63).abs() < 0.06,
             "{share} after one time constant"
         );
-        // What remains is the change of the mass matrix within a period.
+        // The remaining error is the change of the mass matrix within a period.
         let error = seen.last().unwrap()[i] - wanted;
         assert!(
             error.abs() < 0.02 * wanted.abs() + 0.01,

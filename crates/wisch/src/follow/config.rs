@@ -3,7 +3,7 @@
 use super::FollowError;
 use std::f64::consts::PI;
 
-/// How thoroughly a path along an edge is searched for.
+/// Effort of the search for a path along an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SearchScope {
     /// Only step by step along the edge.
@@ -44,8 +44,8 @@ pub struct FollowConfig {
     /// Whether the robot may choose the tool's yaw so that its joints move little. It does so only if one hand
     /// holds the tool and the predicted effect is as good; else it keeps the planned yaw.
     pub free_yaw: bool,
-    /// Whether the robot may visit the nodes of a plan to absorb in another order, if the yaw is free, its
-    /// joints move less, and the predicted effect is as good.
+    /// Whether the robot may visit the nodes of an absorb plan in another order. It does so only if
+    /// the yaw is free, its joints move less, and the predicted effect is as good.
     pub free_order: bool,
     /// How thoroughly a path along an edge is searched for.
     pub search: SearchScope,

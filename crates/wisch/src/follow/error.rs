@@ -19,7 +19,7 @@ pub enum FollowError {
     /// The SRDF does not have the group.
     #[error("{0}")]
     UnknownGroup(Box<UnknownName>),
-    /// A robot that moves over the floor has a pose off the floor.
+    /// The pose of a robot that moves over the floor is off the floor.
     #[error(
         "robot: {what} is {value}, but this robot moves over the floor; only x, y and yaw are free"
     )]

@@ -40,7 +40,7 @@ struct BaseVisit {
     /// Path from the last stroke back to the ready posture.
     back: Vec<JointPositions>,
     open: Vec<PendingStroke>,
-    /// Why the visit did not follow more of the plan.
+    /// Failed attempts, for which the visit did not follow more of the plan.
     stopped: Vec<Attempt>,
 }
 
@@ -56,7 +56,7 @@ impl BaseVisit {
 /// The drive to a base pose, the placement, and the visit.
 type ReachedVisit = (Vec<PlanarPose>, Placement, BaseVisit);
 
-/// The pending strokes after a new join, and the nodes that they no longer contain.
+/// The pending strokes after their nodes were rejoined, and the nodes that they no longer contain.
 type Rejoined = (Vec<PendingStroke>, Vec<AbandonedNode>);
 
 /// Predicted result of a base visit.
@@ -73,11 +73,13 @@ struct Outcome {
 /// `map` rates base poses; without a map, each is rated by inverse kinematics, which is slower and coarser. A
 /// robot with a fixed base needs no map. `progress` is called with the number of nodes followed so far.
 ///
-/// A node that cannot be reached is abandoned and reported with the attempts to reach it; this is no error. The
-/// same arguments give the same bytes for any number of threads.
+/// A node that cannot be reached is abandoned and reported with the attempts to reach it; this is
+/// no error. The same arguments give the same result, bit by bit, for any number of threads.
 ///
 /// # Errors
-/// A configuration out of range, a robot in collision in its ready posture, or a path that cannot be timed.
+/// [`FollowError::Config`] for a setting out of range, [`FollowError::StartBlocked`] for a
+/// collision in the ready posture, [`FollowError::Timing`] for a path that cannot be timed, or
+/// another [`FollowError`].
 pub fn follow(
     task: &Task,
     plan: &Plan,
@@ -189,7 +191,7 @@ impl Follower<'_> {
                 }
                 None => abandoned.extend(self.abandon(&mut open, &at, stopped)?),
             }
-            // Strokes that were joined anew may visit a node more often, where branches meet.
+            // Rejoined strokes may visit a node more often, where branches meet.
             progress(all.saturating_sub(count_pending(&open)));
         }
         self.assemble(visits, abandoned, rated)
@@ -347,8 +349,8 @@ impl Follower<'_> {
 
     /// Removes the nodes from the pending strokes that no base pose can reach, and returns them as abandoned.
     ///
-    /// Where the nodes are known at which the tool cannot touch down, only these are abandoned, and the
-    /// remaining nodes are joined anew.
+    /// If the nodes are known at which the tool cannot touch down, only these are abandoned, and
+    /// the remaining nodes are rejoined.
     fn abandon(
         &self,
         open: &mut Vec<PendingStroke>,
@@ -450,7 +452,7 @@ impl Follower<'_> {
         Ok(joined.filter(is_whole).map(|strokes| (strokes, abandoned)))
     }
 
-    /// Joins some of the pending nodes to new strokes, from the first pending node.
+    /// Joins some of the pending nodes into new strokes, from the first pending node on.
     fn rejoin(&self, left: &[PendingNode], nodes: &[usize]) -> Option<Vec<PendingStroke>> {
         let from = left
             .first()
@@ -523,7 +525,7 @@ impl Follower<'_> {
         Ok(reachability.rate_base_poses(&ahead, self.config))
     }
 
-    /// Returns the best heading of every place.
+    /// Returns for each position the base pose with the highest rating.
     fn rated_places(&self, candidates: &[Candidate]) -> Vec<RatedBasePose> {
         let mut places: Vec<RatedBasePose> = Vec::new();
         let mut sorted: Vec<RatedBasePose> = candidates.iter().map(RatedBasePose::from).collect();
@@ -728,8 +730,8 @@ impl Follower<'_> {
     }
 }
 
-/// Returns the base poses to try. If the robot has no planar base, or no base pose reaches the path, returns
-/// the present one, so that the obstruction is reported.
+/// Returns the base poses to try. If the robot has no planar base, or no base pose reaches the
+/// path, the result is the current base pose, so that the obstruction is reported.
 fn best_or_here(
     cell: &Workcell,
     candidates: &[Candidate],

@@ -10,7 +10,7 @@ use std::fmt;
 /// Period at which joint movement is summed [s].
 const MOVEMENT_PERIOD: f64 = 0.01;
 
-/// The purpose of a motion, which decides what may move and what the tool may touch.
+/// The purpose of a motion, which determines what may move and what the tool may touch.
 ///
 /// ```
 /// use wisch::follow::Phase;
@@ -48,7 +48,7 @@ impl Phase {
         }
     }
 
-    /// One word for people and files.
+    /// Name of the phase in files and messages.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Drive => "drive",
@@ -326,7 +326,7 @@ impl Followed {
         self.motions.get(self.index_at(time))
     }
 
-    /// Returns the index of that motion.
+    /// Returns the index of the motion at a time \[s\], as for [`Self::motion_at`].
     pub fn index_at(&self, time: f64) -> usize {
         let next = self.motions.partition_point(|motion| motion.start <= time);
         next.saturating_sub(1)
@@ -340,7 +340,8 @@ impl Followed {
         Some(TrajectorySample { time, ..sample })
     }
 
-    /// Returns these motions after `first`, with their times shifted.
+    /// Returns these motions after the motions `first`; their times are shifted by the end time of
+    /// `first`.
     #[must_use]
     pub fn prepend(mut self, first: Vec<Motion>) -> Self {
         let begin = first.last().map_or(0.0, Motion::end);

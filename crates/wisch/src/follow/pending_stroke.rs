@@ -14,7 +14,7 @@ pub(super) struct PendingNode {
     pub stroke: usize,
 }
 
-/// The pending part of a planned stroke, or a stroke that was joined anew.
+/// The pending part of a planned stroke, or a rejoined stroke.
 #[derive(Debug, Clone)]
 pub(super) struct PendingStroke {
     /// The pending nodes; the tool touches down at the first.
@@ -109,8 +109,9 @@ pub(super) fn count_pending(open: &[PendingStroke]) -> usize {
     open.iter().map(|open| open.pending().len()).sum()
 }
 
-/// Removes the next node from the pending strokes. If the node before it has been wiped already, the tool moves
-/// from there to the node after. If that has failed before, the tool touches down anew at the node after.
+/// Removes the next node from the pending strokes. If the node before it has been wiped already,
+/// the tool moves on in contact from there to the following node. If that has failed before, the
+/// tool touches down again at the following node.
 pub(super) fn abandon_next(
     open: &mut Vec<PendingStroke>,
     attempts: Vec<Attempt>,

@@ -27,7 +27,8 @@ const EFFORT_PERIOD: f64 = 0.005;
 const BEFORE_JUMP: f64 = 1e-9;
 /// Share of the effort limits that the timing uses, because efforts between samples are not checked [1].
 const EFFORT_SHARE: f64 = 0.98;
-/// Smallest share of its effort limit that the weight must leave to a joint for a slower motion to help [1].
+/// Smallest share of its effort limit that the weight must leave to a joint, for a slower motion to
+/// be possible [1].
 const LEAST_LEFT: f64 = 1e-3;
 /// Step in which an arc of the line is compared [m or rad].
 const LINE_STEP: f64 = 1e-3;
@@ -289,8 +290,9 @@ fn locate_tool(cell: &Workcell, q: &[f64]) -> Result<Vector3, FollowError> {
     Ok(root_from_tool.translation.vector)
 }
 
-/// Returns the distance of the tool from each configuration to the next [m], and the path length that it would cover in the
-/// same time at its greatest speed, where it does not move evenly while the joints do.
+/// Returns the distance of the tool from each configuration to the next [m], and the path length
+/// that the tool would cover in the same time at its greatest speed [m]: while the joints move
+/// evenly, the tool may not.
 fn measure_ways(cell: &Workcell, path: &[Vec<f64>]) -> Result<[Vec<f64>; 2], FollowError> {
     let (mut mean, mut fastest) = (Vec::new(), Vec::new());
     for pair in path.windows(2) {

@@ -6,9 +6,9 @@ use super::GoalError;
 use super::form::{Form, Source, read};
 use super::syntax::{Atom, Listed, OBJECT, Typed, atoms, literals, predicate, typed_list};
 
-/// Most types, constants, predicates or actions, as they are searched linearly.
+/// Largest number of types, constants, predicates or actions, because they are searched linearly.
 const MAX_NAMES: usize = 1000;
-/// Most parameters of an action; each multiplies the number of groundings.
+/// Largest number of parameters of an action; each multiplies the number of groundings.
 const MAX_PARAMETERS: usize = 12;
 
 const SECTIONS: [&str; 5] = [

@@ -22,7 +22,7 @@ use crate::represent::{Action, KnowledgeBase, RankedTool};
 use form::Source;
 use search::{Fact, Problem};
 
-/// Name in errors of a goal without a name of its own.
+/// Name, in errors, of the text of a goal.
 const GOAL_TEXT_NAME: &str = "goal";
 
 /// A single fact to be made true, such as `(collected breadcrumbs chopping_board)`.
@@ -79,7 +79,7 @@ impl fmt::Display for GoalLiteral {
     }
 }
 
-/// The wiping action that reaches a goal, with the plan whose last wiping step it is.
+/// The wiping action that reaches a goal, with the plan of which it is the last wiping step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ResolvedGoal {
     /// Wiping action.

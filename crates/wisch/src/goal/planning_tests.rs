@@ -87,7 +87,7 @@ fn a_tower_is_taken_apart_and_built() {
 fn a_goal_that_holds_takes_no_step_and_one_that_cannot_has_no_plan() {
     let held = TOWER.replace("(and (on b c) (on a b))", "(on a b)");
     assert_eq!(plan(BLOCKS, &held).unwrap(), Some(vec![]));
-    // Relaxed, each half of this can be reached; together they can't.
+    // With delete relaxation, each half of this goal is reachable; together they are not.
     let circle = TOWER.replace("(and (on b c) (on a b))", "(and (on b c) (on c b))");
     assert_eq!(plan(BLOCKS, &circle).unwrap(), None);
     let out_of_reach = TOWER.replace("(and (on b c) (on a b))", "(on spare a)");
@@ -104,7 +104,7 @@ fn subtypes_and_constants_count_as_objects() {
     let problem = "(define (problem p) (:domain d) (:objects new - rag) (:init) (:goal (done)))";
     let expected = ["(soak)", "(finish old)"].map(str::to_owned);
     assert_eq!(plan(domain, problem).unwrap(), Some(expected.to_vec()));
-    // A rag that is new can't get wet.
+    // A rag that is new cannot get wet.
     let problem = problem.replace("(done)", "(wet new)");
     assert_eq!(plan(domain, &problem).unwrap(), None);
 }

@@ -10,7 +10,8 @@ use super::syntax::Atom;
 
 /// Name in errors of the planning problem.
 const DERIVED: &str = "problem derived from the goal";
-/// Most work of a search, in objects tried, facts checked and facts copied; about a second.
+/// Largest work of a search: number of objects tried, facts checked and facts copied; about a
+/// second.
 const MAX_WORK: usize = 5_000_000;
 
 /// A predicate or an action with its arguments, all of which are objects.
@@ -48,8 +49,8 @@ impl<'a> Problem<'a> {
         Ok(())
     }
 
-    /// Returns the actions of a shortest plan; `None` if there is none. Among several it is the first in the order of
-    /// the domain's actions and the problem's objects.
+    /// Returns the actions of a shortest plan; `None` if there is none. Of several shortest plans,
+    /// it is the first in the order of the domain's actions and the problem's objects.
     pub(super) fn shortest_plan(&self) -> Result<Option<Vec<Fact<'a>>>, GoalError> {
         let mut work = 0;
         let reached =

@@ -4,10 +4,14 @@ use super::error::{InterpretError, within};
 use super::uncertainty::Uncertainty;
 use crate::represent::{LogNormal, Task};
 
-/// Settings of the interpretation. [`InterpretConfig::from_task`] takes the task-dependent ones from a task.
+/// Settings of the interpretation. [`InterpretConfig::from_task`] takes the task-dependent ones
+/// from a task.
+///
+/// f′, the normalised force of (9), is the normal force over the nominal force, from 0 (no contact)
+/// to 1 (nominal contact).
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterpretConfig {
-    /// f_max of (9): above this normal force there is no contact \[N\]; 0 in the paper.
+    /// f_max of (9): at normal forces above this one there is no contact \[N\]; 0 in the paper.
     pub max_normal_force_n: f64,
     /// f_min of (9): normal force of nominal contact \[N\], negative; minus the task's press force.
     pub min_normal_force_n: f64,
@@ -32,12 +36,12 @@ pub struct InterpretConfig {
     pub replays: usize,
     /// ℓ: travel in contact after which a particle draws its threshold again \[m\]; by default r_s of the tool.
     pub redraw_length_m: f64,
-    /// Tilt of the fitted plane from which the surface counts as misplaced \[rad\].
+    /// Tilt of the fitted plane above which the surface counts as misplaced \[rad\].
     pub relocalize_tilt: f64,
-    /// Offset of the fitted plane from which the surface counts as misplaced \[m\].
+    /// Offset of the fitted plane above which the surface counts as misplaced \[m\].
     pub relocalize_offset_m: f64,
-    /// Height over the believed surface from which the tool is certainly free \[m\]: a force measured there is bias.
-    /// Compression of the tool is not subtracted.
+    /// Height of the tool centre point over the believed surface above which the tool is certainly
+    /// free \[m\]; a force measured there is bias. The compression of the tool is not subtracted.
     pub free_height_m: f64,
     /// Largest distance of the real surface from the believed one \[m\].
     pub search_height_m: f64,
@@ -49,7 +53,7 @@ pub struct InterpretConfig {
     pub seed: u64,
 }
 
-/// Why the force in contact differs from the declared one.
+/// Cause of a contact force that differs from the declared one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum OtherForce {
     /// The sensor has another scale.
@@ -58,8 +62,9 @@ pub(super) enum OtherForce {
     Press,
 }
 
-/// How far a tool compresses. The tool centre point is the underside at nominal force. Under less force the underside
-/// springs back, so the tool centre point stands higher while the tool touches.
+/// How far a tool compresses. At nominal force, the tool centre point is at the underside of the
+/// tool. At a smaller force the tool is less compressed, so the tool centre point is higher above
+/// the surface while the tool touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolCompliance {
     /// The tool does not compress.
@@ -106,7 +111,8 @@ impl Default for PlaneConfig {
     }
 }
 
-/// Thresholds of the events. Forces are those of the pieces of a log, with the bias subtracted.
+/// Thresholds of the events. Forces are those of the pieces of a log, with the bias subtracted. f′
+/// is the normalised force of (9).
 #[derive(Debug, Clone, PartialEq)]
 pub struct EventConfig {
     /// f′ at which a contact begins, and f′ at which it ends \[1\].
@@ -119,7 +125,7 @@ pub struct EventConfig {
     pub near_height_m: f64,
     /// Travel along the surface without force that makes a contact loss \[m\].
     pub loss_travel_m: f64,
-    /// Time that a tool stands without force during a stroke that makes a contact loss \[s\].
+    /// Time without force, while the tool stands during a stroke, that makes a contact loss \[s\].
     pub loss_rest_s: f64,
     /// Distance from the plane, beyond the inlier distance, that makes a push \[m\].
     pub collision_height_m: f64,
@@ -128,13 +134,14 @@ pub struct EventConfig {
     /// Friction coefficient that wiping may reach: tangential over normal force \[1\]. Rubber on a dry board has about
     /// 0.8.
     pub friction_limit: f64,
-    /// Tangential force that makes a push, beyond `friction_limit`; and the force down to which it lasts, beyond the
-    /// friction that the log itself shows \[N\].
+    /// Tangential force that makes a push, in addition to friction at `friction_limit`; and the
+    /// force down to which it lasts, in addition to the friction that the log itself shows \[N\].
     pub tangential_margin_n: [f64; 2],
-    /// Normal force over the nominal force at which an overload begins, and down to which it lasts \[1\].
+    /// Normal force over the nominal force at which an overload begins, and the ratio down to which
+    /// it lasts \[1\].
     pub overload: [f64; 2],
-    /// Force in free motion at which a push begins, and down to which it lasts \[N\]. Both count beyond the noise of the
-    /// log and lie above the inertial force of a hand.
+    /// Force in free motion at which a push begins, and the force down to which it lasts \[N\].
+    /// Both count above the noise of the log and exceed the inertial force of a hand.
     pub free_force_n: [f64; 2],
     /// Longest interruption that is still part of a push in free motion \[s\]: when the robot lifts, the tool runs ahead
     /// of the hand that pushes it.
@@ -391,13 +398,14 @@ impl InterpretConfig {
     }
 }
 
-/// Most members of a belief, and fewest unless there are very many particles. A claim rests on the tail of the
-/// distribution, which only many members resolve.
+/// Largest number of members of a belief, and the smallest unless there are very many particles. A
+/// claim depends on the tail of the distribution, which only many members resolve.
 const MEMBERS: [usize; 2] = [1024, 64];
-/// Most particles of all members together, unless that leaves too few members.
+/// Largest number of particles of all members together, unless that leaves too few members.
 const MOST_PARTICLES: usize = 1 << 25;
 const FEWEST_MEMBERS: usize = 16;
-/// Most products of particles, footprint edges and members; the time of a replay is proportional to it.
+/// Largest product of the numbers of particles, footprint edges and members; the time of a replay
+/// is proportional to it.
 const MOST_WORK: usize = 1 << 20;
 
 /// Returns the number of members of a belief about this task: fewer where a replay takes long.

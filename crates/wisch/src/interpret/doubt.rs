@@ -10,29 +10,34 @@ use super::wrench_quality::UnusableWrenches;
 
 /// Height over the believed surface within which a tool without measured force may have touched [m].
 pub(super) const NEAR: f64 = 0.02;
-/// Distance from the believed surface, beyond its own size, from which on a unit or a frame must be wrong [m].
+/// Distance from the believed surface, in addition to its own size, above which a unit or a frame
+/// must be wrong [m].
 pub(super) const FAR: f64 = 10.0;
-/// Shortest time near the surface in which a tool that slides shows contact [s].
+/// Shortest time near the surface after which a sliding tool must show contact [s].
 const LEAST_NEAR: f64 = 0.5;
-/// Difference of the performance from which the scale of the force is decisive [1].
+/// Difference of the performance at which the scale of the force becomes decisive [1].
 const MOST_BY_SCALE: f64 = 0.1;
-/// Largest share of samples without a usable wrench with which the rest still shows what was wiped [1].
+/// Largest share of samples without a usable wrench at which the remaining samples still show what
+/// was wiped [1].
 const MOST_UNUSABLE: f64 = 0.5;
-/// Largest share of samples without a usable wrench in which nothing was wiped that matters [1].
+/// Largest share of samples without a usable wrench that is negligible [1].
 const FEW_UNUSABLE: f64 = 0.02;
-/// Largest share of samples with a wrong pose with which the rest still shows what was wiped [1].
+/// Largest share of samples with a wrong pose at which the remaining samples still show what was
+/// wiped [1].
 const MOST_JUMPS: f64 = 0.05;
 /// Range of the press force over the declared one beyond which the unit of the force must be wrong [1].
 const PLAUSIBLE_FORCE: std::ops::RangeInclusive<f64> = 0.2..=5.0;
-/// Largest change of the bias over the press force with which contact still differs from free motion [1].
+/// Largest change of the bias over the press force at which contact still differs from free motion
+/// [1].
 const MOST_BIAS_CHANGE: f64 = 0.3;
-/// Largest distance [m] and angle [rad] between the tool's pose and that of the joint positions with which the log still
-/// shows where the tool was.
+/// Largest distance [m] and angle [rad] between the tool's pose and that of the joint positions at
+/// which the log still shows where the tool was.
 const MOST_CONTRADICTION: [f64; 2] = [0.03, 0.2];
 /// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
-/// Options of `wisch interpret` in the text of doubts, and what an executor states instead.
+/// Options of `wisch interpret` in the text of doubts, and the corresponding statements of an
+/// executor.
 const REMEDIES: [(&str, &str); 6] = [
     (
         "--wrench-sign",
@@ -60,7 +65,8 @@ const REMEDIES: [(&str, &str); 6] = [
     ),
 ];
 
-/// A reason why a log may not show wiping, or not wiping of this surface, and what had to be assumed to read it.
+/// A reason why a log may not show wiping, or not wiping of this surface; and the assumption with
+/// which the log was read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Doubt {
@@ -68,7 +74,7 @@ pub enum Doubt {
     NoContactForce {
         /// Smallest distance of the tool from the believed surface \[m\].
         closest: f64,
-        /// Size of the force that 90 % of the time near the surface stays below \[N\].
+        /// Size of the force that is not exceeded during 90 % of the time near the surface \[N\].
         force: f64,
         /// Declared press force \[N\].
         declared: f64,
@@ -82,7 +88,8 @@ pub enum Doubt {
         /// Declared press force \[N\].
         declared: f64,
     },
-    /// The tool was so far from the surface that the unit of length or the frame of the log must be wrong.
+    /// The tool was so far from the surface that the unit of length or the frame of the log must be
+    /// wrong.
     FarAway {
         /// Median distance of the tool from the origin of the surface \[m\].
         distance: f64,
@@ -199,12 +206,12 @@ pub enum Doubt {
     BiasChange {
         /// Size of the change \[N\].
         change: f64,
-        /// The same over the usual press force \[1\].
+        /// The change over the usual press force \[1\].
         share: f64,
         /// Times of the two free motions \[s\].
         times: [f64; 2],
     },
-    /// The contacts lie on a plane that is steeper than those that are searched.
+    /// The contacts lie on a plane that is steeper than the searched planes.
     TooSteep {
         /// Its angle to the believed surface \[rad\].
         tilt: f64,
@@ -215,12 +222,12 @@ pub enum Doubt {
     ToolLeans {
         /// Median angle between the two lines, from 0 to π/2 \[rad\].
         lean: f64,
-        /// The part of it beyond the tilt that the tool has by design \[rad\].
+        /// The part of the lean that exceeds the tilt of the tool by design \[rad\].
         beyond: f64,
     },
     /// The wrenches of these samples were not usable, so that they do not show what the tool touched.
     UnusableWrench {
-        /// Their numbers.
+        /// Numbers of these samples, by cause.
         unusable: UnusableWrenches,
         /// Their share of all samples \[1\].
         share: f64,
@@ -231,16 +238,19 @@ pub enum Doubt {
         seen: usize,
         /// Range of the numbers of detections that touch predicts, from the 5th to the 95th percentile.
         left: [f64; 2],
-        /// The same if nothing had been removed.
+        /// Range of the number of detections if the tool had removed nothing, from the 5th to the
+        /// 95th percentile.
         believed: [f64; 2],
         /// Least number of detections of dirt that the tool never touched.
         untouched: f64,
-        /// Whether no earlier observation showed dirt, so that nothing says that the camera detects it.
+        /// Whether no earlier observation showed dirt, so that there is no evidence that the camera
+        /// detects it.
         is_first: bool,
     },
-    /// The first observation shows no dirt, and touch does not decide: the camera may detect none.
+    /// The first observation shows no dirt, and contact forces do not decide: the camera may detect
+    /// no dirt at all.
     UnprovenCamera,
-    /// Detections of a camera lie beside the surface, and are left out.
+    /// Detections of a camera lie beside the surface and are not used.
     DetectionsBeside {
         /// Number of these detections.
         left_out: usize,
@@ -249,16 +259,17 @@ pub enum Doubt {
         /// Largest distance of a detection from the surface's edge \[m\].
         farthest: f64,
     },
-    /// For most of the motion, the joint positions put the tool elsewhere than its measured pose.
+    /// For most of the motion, the joint positions give another pose of the tool than the measured
+    /// one.
     PositionsContradictPose {
-        /// Median distance of both \[m\].
+        /// Median distance of the two poses \[m\].
         distance: f64,
-        /// Median angle between both \[rad\].
+        /// Median angle between the two poses \[rad\].
         angle: f64,
     },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
-        /// Share of the log \[1\].
+        /// Share of the log during which the tool was guided \[1\].
         share: f64,
     },
     /// The tool pressed with its nominal force, but far from the believed surface.
@@ -302,7 +313,8 @@ pub enum Doubt {
 }
 
 impl Doubt {
-    /// Whether the log cannot show what was wiped. The remaining doubts state how it was read.
+    /// Whether the log cannot show what was wiped. A doubt that is not decisive states an
+    /// assumption with which the log was read.
     pub fn is_decisive(&self) -> bool {
         match self {
             Self::PressForceDiffers {
@@ -349,8 +361,8 @@ impl Doubt {
         }
     }
 
-    /// Describes the doubt about the samples of an executor: with what the executor states instead of options of
-    /// `wisch interpret`.
+    /// Describes the doubt about the samples of an executor: remedies are statements of the
+    /// executor instead of options of `wisch interpret`.
     pub fn describe_for_executor(&self) -> String {
         let describe =
             |text: String, (option, stated): &(&str, &str)| text.replace(*option, stated);

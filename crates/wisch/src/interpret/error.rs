@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// A reason why a log cannot be interpreted. Samples are numbered from 0, in the order in which they were pushed.
+/// A reason why a log cannot be interpreted. Samples are numbered from 0, in the order of
+/// [`Interpreter::push`](super::Interpreter::push).
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InterpretError {
@@ -34,7 +35,7 @@ pub enum InterpretError {
         /// Time of the sample before \[s\].
         previous: f64,
     },
-    /// A measurement is not finite or exceeds every robot's range.
+    /// A measurement is not finite or exceeds the range of every robot.
     #[error("sample {sample}: {field} = {value} exceeds the limit of ±{limit:e}")]
     Measurement {
         /// Number of the sample.

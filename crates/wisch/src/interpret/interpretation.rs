@@ -15,7 +15,7 @@ const UNKNOWN_SHARE: f64 = 0.5;
 pub enum Diagnosis {
     /// The surface is where it was believed to be.
     Localized,
-    /// The surface is misplaced: recovery plans on the pose found.
+    /// The surface is misplaced: recovery plans with the pose that was found.
     Relocalize {
         /// Pose of the surface as found.
         world_from_surface: Pose,
@@ -64,8 +64,8 @@ pub struct Interpretation {
     pub pressed_force: Option<f64>,
     /// Belief about the tool's stiffness after this log and those before it; `None` for a rigid tool.
     pub tool_stiffness: Option<ToolStiffness>,
-    /// Time in contact over the time that the tool was on or near the surface \[1\]; `None` where it never was, and where
-    /// the log shows no contact with a plane, so that contact is unknown.
+    /// Time in contact over the time that the tool was on or near the surface \[1\]; `None` if it
+    /// never was near, and if the log shows no contact with a plane, so that contact is unknown.
     pub contact_share: Option<f64>,
     /// Belief about the dirt after the log.
     pub belief: Belief,
@@ -80,8 +80,8 @@ pub struct Interpretation {
 }
 
 impl Interpretation {
-    /// Whether the log or a later observation shows what was wiped. If not, the belief holds what is possible, and the
-    /// doubts state why, the most likely cause first.
+    /// Whether the log or a later observation shows what was wiped. If not, the belief covers all
+    /// possibilities, and the doubts state the reason, the most likely cause first.
     pub fn is_conclusive(&self) -> bool {
         let is_felt =
             self.diagnosis != Diagnosis::NoContact && !self.doubts.iter().any(Doubt::is_decisive);
@@ -99,7 +99,8 @@ impl Interpretation {
         self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
     }
 
-    /// Adds a doubt about the data of the log. With a decisive one, the performance may be another one.
+    /// Adds a doubt about the data of the log. After a decisive doubt, the performance counts as
+    /// possibly unknown.
     pub fn add_doubt(&mut self, doubt: Doubt) {
         if doubt.is_decisive() && !self.doubts.iter().any(Doubt::is_decisive) {
             self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
@@ -111,15 +112,16 @@ impl Interpretation {
         self.doubts.push(doubt);
     }
 
-    /// Updates belief and performance by an observation of the surface after the log. If the log and the belief before it
-    /// contradict the number of grains observed, that is a [`Doubt`].
+    /// Updates belief and performance by an observation of the surface after the log. If the log
+    /// and the belief before it contradict the number of observed grains, a [`Doubt`] is added.
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
         let was_felt = self.diagnosis != Diagnosis::NoContact;
         let contradiction = update.find_contradiction(&self.belief, was_felt);
         let is_proven = self.belief.was_seen || update.shows_dirt();
         let is_unproven = !is_proven && !self.belief.is_certain() && !self.is_conclusive();
         self.belief = self.belief.observe(update);
-        // An observation leaves no model error: what the replays omit does not affect what the camera sees.
+        // An observation leaves no model error: effects that the replays omit do not change the
+        // detections.
         self.distribution = self.belief.performance(update.goal, update.surface, 0.0);
         if let Some(doubt) = contradiction {
             // Dirt that the tool never touched does not vanish, so some may have been overlooked. A camera that has shown no

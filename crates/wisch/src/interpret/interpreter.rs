@@ -110,7 +110,7 @@ impl Interpreter {
     /// Returns an interpreter for a task that has no samples yet.
     ///
     /// # Errors
-    /// A setting out of its range.
+    /// [`InterpretError::Config`] for a setting out of its range.
     pub fn new(task: &Task, config: &InterpretConfig) -> Result<Self, InterpretError> {
         config.check()?;
         Ok(Self {
@@ -130,12 +130,15 @@ impl Interpreter {
     /// Adds one sample. A rejected sample leaves the interpreter unchanged.
     ///
     /// # Errors
-    /// A time not after that of the sample before, or a value that is not finite or exceeds every robot's range.
+    /// [`InterpretError::TimeNotIncreasing`] for a time not after that of the previous sample;
+    /// [`InterpretError::Measurement`] for a value that is not finite or exceeds the range of every
+    /// robot.
     pub fn push(&mut self, sample: &TouchSample) -> Result<(), InterpretError> {
         self.downsampler.push(sample)
     }
 
-    /// Counts samples whose wrenches are not usable. They are no touch; their numbers and share are a [`Doubt`].
+    /// Counts samples whose wrenches are not usable. They show no contact; their numbers and share
+    /// are reported as a [`Doubt`].
     pub const fn skip(&mut self, unusable: UnusableWrenches) {
         self.unusable.stale += unusable.stale;
         self.unusable.saturated += unusable.saturated;
@@ -143,14 +146,15 @@ impl Interpreter {
         self.unusable.frozen_pose += unusable.frozen_pose;
     }
 
-    /// Interprets the samples so far: contacts, plane, events and doubts, and where the dirt lies after the log if it
-    /// lay as `believed` before it.
+    /// Interprets the samples so far. The result holds contacts, plane, events and doubts, and the
+    /// belief about the dirt after the log, given the belief `believed` before it.
     ///
     /// A certain belief becomes an ensemble of as many members as the settings say; an ensemble is continued member by
     /// member. The result depends on samples, settings and belief only, not on the number of threads.
     ///
     /// # Errors
-    /// A goal that is not finite. Too little contact is a diagnosis and no error.
+    /// [`InterpretError::Config`] for a goal that is not finite. Too little contact is a
+    /// diagnosis and no error.
     pub fn conclude(
         &self,
         believed: &Belief,
@@ -196,7 +200,8 @@ impl Interpreter {
             .iter()
             .any(|doubt| doubt.is_decisive() && is_unscaled(doubt))
         {
-            // What is absorbed or off the surface does not come back, whatever this log hides.
+            // Absorbed dirt and dirt off the surface do not return, even if the log does not show
+            // all contacts.
             let least = if matches!(goal, GoalState::Absorbed | GoalState::Skimmed) {
                 let before = believed.performance(goal, &self.surface, deviation);
                 before.estimate().low
@@ -238,10 +243,12 @@ impl Interpreter {
         })
     }
 
-    /// Returns the exposure of dirt at `places` (believed surface frame \[m\]) that does not respond to the tool.
+    /// Returns the exposure of dirt at `places`, in the believed surface frame \[m\], on condition
+    /// that it does not respond to the tool.
     ///
-    /// The result has one list per place, with one entry per guess. Each guess shifts the place by a normal error of
-    /// `deviation` along x and along y \[m\], and draws the grasp of the tool. The guesses depend on the settings' seed
+    /// The result has one list per place, with one entry per guess. Each guess shifts the place by
+    /// a normal error of standard deviation `deviation` along x and along y \[m\], and draws the
+    /// grasp of the tool and a hypothesis about each push. The guesses depend on the settings' seed
     /// only, so they are the same for every log.
     ///
     /// # Errors
@@ -261,9 +268,9 @@ impl Interpreter {
         Ok(replay.exposures(&particles, &evidence, deviation, guesses))
     }
 
-    /// Classifies the pieces. Where the force differs from the declared one, the sensor may have another scale, or the tool
-    /// presses with another force and compresses by another distance: the cause counts by which the surface lies nearer
-    /// to the believed one.
+    /// Classifies the pieces. If the force differs from the declared one, either the sensor has
+    /// another scale, or the tool presses with another force and is compressed by another distance.
+    /// The cause for which the surface is nearer to the believed one is taken.
     fn level(&self, reading: &ForceReading, reference: f64) -> LeveledLog {
         let by_scale = self.level_by(reading, reference, OtherForce::Scale);
         let is_declared = reference == self.config.nominal_force();
@@ -381,7 +388,7 @@ impl Interpreter {
             doubts.extend(self.find_jumps());
         }
         if let Some(doubt) = self.find_unusable() {
-            // Wrenches that are not used explain missing contact.
+            // Unusable wrenches explain missing contact.
             let place = if classified.plane.is_none() {
                 0
             } else {
@@ -395,7 +402,7 @@ impl Interpreter {
             Vec::new()
         };
         if doubts.iter().any(Doubt::is_other_surface) {
-            // A force off the plane is that of another surface and not that of a hand.
+            // A force off the plane is a contact with another surface, not the force of a hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
         if let Some(change) = reading.bias_change.filter(|change| change.persists) {
@@ -505,7 +512,8 @@ impl Interpreter {
         corners.fold(0.0, f64::max)
     }
 
-    /// Returns a small motion of the surface in its own frame that is given in the chart, about the middle of the surface.
+    /// Converts a small motion of the surface, given in the chart, to a motion in the surface
+    /// frame, about the middle of the surface.
     fn unroll(&self, believed_from_real: &Pose) -> Pose {
         let shape = &self.surface.shape;
         if shape.is_plane() {

@@ -1,4 +1,4 @@
-//! What a log holds that raises doubts.
+//! Evidence in a log that raises doubts.
 
 use super::config::InterpretConfig;
 use super::contact::{
@@ -22,8 +22,8 @@ pub(super) const LEAST_ON_PLANE: f64 = 0.5;
 const LEAST_CONTACT: f64 = 0.3;
 /// Largest share of the contact time that may lie beside the surface [1].
 const MOST_BESIDE: f64 = 0.5;
-/// Travel over which steady sliding is recognised [m], least force over the nominal one at each of its pieces [1], and range
-/// of the mean force over the nominal one [1].
+/// Travel over which steady sliding is recognised [m], least force over the nominal force at each
+/// of its pieces [1], and range of the mean force over the nominal force [1].
 const STEADY_TRAVEL: f64 = 0.02;
 const LEAST_PRESSED: f64 = 0.5;
 const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
@@ -81,7 +81,8 @@ pub(super) struct LogEvidence<'a> {
     pub(super) steep: Option<f64>,
     /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
     pub(super) found_stiffness: Option<ToolStiffness>,
-    /// Distances of the surface from where it is believed to be, under both causes of another force than the declared one [m].
+    /// Distances of the surface from its believed position, for the two causes of a force that
+    /// differs from the declared one [m].
     pub(super) offsets: Option<[f64; 2]>,
     pub(super) surface: &'a Surface,
     /// Largest angle by which the tool may tilt by design [rad].

@@ -26,8 +26,8 @@ pub struct Uncertainty {
     /// Largest depth of a heap of all particles before the tool, over the radius r_s of its collision sphere \[1\];
     /// uniform over the replays from 0.
     pub heap_depth: f64,
-    /// Share of the replays that detect contact by force also during a push \[1\]; the remaining ones detect it by the
-    /// distance from the plane.
+    /// Share of the replays that detect contact by force even during a push \[1\]; the remaining
+    /// ones detect it by the distance from the plane.
     pub pushed_by_force: f64,
     /// Share of the replays in which a pushed tool drags the carried material while it is near the surface \[1\]: the
     /// tool may tilt, and the hand takes part of its force.
@@ -38,12 +38,14 @@ pub struct Uncertainty {
     pub law_mu: f64,
     /// σ of (12), as the standard deviation of its logarithm \[1\].
     pub law_sigma: f64,
-    /// Share of the members in which μ and σ deviate three times as much \[1\], for estimates that are wrong.
+    /// Share of the members in which μ and σ deviate three times as much \[1\], in case their
+    /// estimates are wrong.
     pub law_outlier_share: f64,
     /// Share of the members in which each particle keeps its threshold instead of drawing it again \[1\]: a particle that
     /// stays once stays for good. No log shows which of the two holds.
     pub kept_share: f64,
-    /// ℓ, as the standard deviation of its logarithm \[1\].
+    /// ℓ, the travel after which a threshold is drawn again, as the standard deviation of its
+    /// logarithm \[1\].
     pub redraw_share: f64,
     /// Share of the members that explain a press force other than the declared one by the scale of the sensor or of the
     /// declaration \[1\]; the remaining ones take the force as measured.
@@ -79,10 +81,11 @@ impl Uncertainty {
         model_share: 0.0,
     };
 
-    /// Returns the uncertainty with one field changed, given its name.
+    /// Returns the uncertainty with the field `name` set to a value.
     ///
     /// # Errors
-    /// An unknown field, or a value out of its range.
+    /// [`InterpretError::NoSuchUncertainty`] for an unknown field, [`InterpretError::Config`] for a
+    /// value out of its range.
     ///
     /// ```
     /// use wisch::interpret::Uncertainty;

@@ -17,7 +17,7 @@ pub enum LearnError {
         /// Its range, in words.
         expected: &'static str,
     },
-    /// The number of exposures is not that of the detections.
+    /// The number of exposures differs from the number of detections before the round.
     #[error(
         "{law}, round {round}: {field} has {found} entries, but {expected} particles were detected before the round"
     )]

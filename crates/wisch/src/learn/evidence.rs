@@ -19,7 +19,7 @@ const WITHIN_GATE: f64 = 0.988_891;
 const LEAST_DEVIATION: f64 = 1e-4;
 /// Largest group of particles for which all associations are summed.
 const MOST_JOINT: usize = 8;
-/// Radius over which detections of no particle give the density of further ones [m].
+/// Radius over which unassociated detections give the density of further ones [m].
 const NEIGHBOURHOOD: f64 = 0.02;
 /// Least density of clutter, that is of detections of no known particle [1/m²].
 const LEAST_CLUTTER: f64 = 1e-3;
@@ -44,8 +44,9 @@ pub struct ObservedRound {
     /// Exposure of each detection of `before` to the tool, with one entry per guess; see
     /// [`Interpreter::exposures`](crate::interpret::Interpreter::exposures).
     pub exposures: Vec<Vec<Exposure>>,
-    /// Largest f′ at each detection of `before` in earlier rounds since its dirt came there, by guess \[1\]; empty if
-    /// there was none. A particle that keeps its threshold and is still there has a threshold above it.
+    /// Largest f′ at each detection of `before` in earlier rounds since its dirt was first detected
+    /// there, by guess \[1\]; empty if there was none. A particle that keeps its threshold and is
+    /// still there has a threshold above this value.
     pub earlier: Vec<Vec<f64>>,
 }
 

@@ -10,7 +10,7 @@ const REACH: [f64; 3] = [5.0, 4.0, 3.0];
 const NODES: [usize; 3] = [31, 13, 13];
 /// Logarithm of the ratio to the peak below which a posterior is neglected.
 const NEGLIGIBLE: f64 = -11.0;
-/// Most grids, each within the one before.
+/// Largest number of grids, each within the previous one.
 const PASSES: usize = 6;
 /// Ratio of the widths of a new grid and the last one above which refinement ends [1].
 const NARROWER: f64 = 0.6;
@@ -24,7 +24,7 @@ const LEAST_STEP: f64 = 0.01;
 /// Least f′ that differs from no contact [1].
 const LEAST_SHARE: f64 = 0.01;
 const BINS_PER_LOG: f64 = 100.0;
-/// Largest f′ of the bins [1].
+/// Largest f′ that has a bin of its own [1].
 const MOST_SHARE: f64 = 10.0;
 
 /// Largest error of a round's force, in standard deviations, and number of steps to it [1].
@@ -156,7 +156,7 @@ impl LikelihoodGrid {
             })
             .collect();
         let step = if mu.len() > 1 { mu[1] - mu[0] } else { 0.0 };
-        // The margin beyond the ends serves rounds whose force is off.
+        // The margin beyond the ends is for rounds with an error of the force.
         let (wider, margin) = if step > 0.0 && force_share > 0.0 {
             let margin = (SHIFT_REACH * force_share / step).ceil() as usize + 1;
             let count = mu.len() + 2 * margin;
@@ -225,8 +225,9 @@ impl LikelihoodGrid {
         self.log[(s * (self.ln_length.len() + 1) + way) * self.mu.len() + m]
     }
 
-    /// Returns the range of each parameter in which the law's own posterior is not negligible, plus one step, and how
-    /// much higher than the nodes the posterior may be between them, as a logarithm.
+    /// Returns the range of each parameter in which the law's posterior is not negligible, plus one
+    /// step; and the largest excess of the posterior between the nodes over the nodes, as a
+    /// logarithm.
     fn supports(&self, prior: &LawPrior) -> ([[f64; 2]; 3], f64) {
         let log_prior = |s: usize, m: usize| {
             let scores = [(0, self.mu[m]), (1, self.ln_sigma[s])];

@@ -1,5 +1,6 @@
-//! Learning of the laws by which tools move dirt: μ, σ and ℓ of (12), from rounds with observations before and after;
-//! paper §4.2 (outlook).
+//! Learning of the laws by which tools move dirt, from rounds with observations before and after. A
+//! law is the distribution (12) of the thresholds of particles: its parameters μ and σ, and ℓ, the
+//! travel after which a threshold is drawn again; paper §4.2 (outlook).
 //!
 //! ```text
 //! evidence: detections before and after, exposures  →  likelihood of the observations
@@ -7,10 +8,11 @@
 //! pooling:  laws of the same tool, of the same medium, and of all  →  posterior of each
 //! ```
 //!
-//! A particle that was detected before and then exposed has stayed if each threshold that it drew was higher than the
-//! f′ at its place. The probability is Π (1 − Φ((ln f′ − μ)/σ)) over its draws. That holds for absorbing and for
-//! pushing, as a pushed particle leaves its place with its first response. The camera blurs it: it misses grains and
-//! gives false alarms, and a neighbour or another grain may lie where the particle lay.
+//! A particle that was detected before and then exposed has stayed if each threshold that it drew
+//! was higher than the f′ at its place. The probability is Π (1 − Φ((ln f′ − μ)/σ)) over its draws.
+//! That holds for absorbing and for pushing, because a pushed particle leaves its place with its
+//! first response. The camera adds errors: it misses grains and gives false alarms, and a neighbour
+//! or another grain may lie where the particle lay.
 
 mod error;
 mod evidence;
@@ -42,7 +44,7 @@ pub struct LearnConfig {
 }
 
 impl Default for LearnConfig {
-    /// The force error of an interpretation.
+    /// The error of the force that an interpretation assumes by default.
     fn default() -> Self {
         Self {
             force_share: crate::interpret::Uncertainty::default().force_share,
@@ -54,7 +56,7 @@ impl Default for LearnConfig {
 /// The observed rounds of one pair of tool and medium, whose law is fitted.
 #[derive(Debug, Clone, Copy)]
 pub struct LawObservations<'a> {
-    /// Entry of the knowledge base, from which the prior follows.
+    /// Entry of the knowledge base, which gives the prior.
     pub interaction: &'a Interaction,
     /// r_s of the tool, the prior mean of ℓ if the entry has none \[m\].
     pub collision_radius_m: f64,
@@ -101,7 +103,8 @@ impl LearnedLaw {
     }
 }
 
-/// Fits the laws of several lessons together, and returns one result per lesson, in their order.
+/// Fits the laws of several `lessons` together, and returns one law per lesson, in their order. A
+/// lesson is the set of observed rounds of one pair of tool and medium.
 ///
 /// The prior of a law is its entry in the knowledge base: the means of μ, ln σ and ln ℓ with their spreads. Laws are
 /// partially pooled: the deviations of two laws from their entries, in these spreads, have correlation ρ/3, and ρ/3
@@ -111,11 +114,14 @@ impl LearnedLaw {
 /// The force of each round is known up to [`LearnConfig::force_share`].
 ///
 /// A single law is integrated on a grid that is refined where the posterior lies. Several laws are sampled (Gibbs),
-/// each from its grid given the others. The result depends on lessons and seed only, not on the number of threads.
+/// each from its grid given the others. The result depends on lessons and seed only, not on the
+/// number of threads.
 ///
 /// # Errors
-/// Settings out of their range; rounds whose exposures do not match their detections; a law with fewer than
-/// [`LEAST_PARTICLES`] touched and observed particles.
+/// [`LearnError::Config`] or [`LearnError::OutOfRange`] for a value out of its range,
+/// [`LearnError::Mismatch`] for exposures that do not match the detections, and
+/// [`LearnError::TooFew`] for a law with fewer than [`LEAST_PARTICLES`] touched and observed
+/// particles.
 ///
 /// ```
 /// use wisch::geometry::{Point2, Region};

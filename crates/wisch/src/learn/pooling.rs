@@ -1,4 +1,4 @@
-//! Joint posterior of several laws, each of which borrows from the others.
+//! Joint posterior of several laws, each of which uses the data of the others.
 
 use super::Fit;
 use super::grid::log_sum;
@@ -16,7 +16,7 @@ const FIRST_SWEEPS: usize = 200;
 pub(super) fn posteriors(fits: &[Fit], names: &[[&str; 2]], seed: u64) -> Vec<Vec<f64>> {
     let laws: Vec<Law> = fits.iter().map(Law::of).collect();
     if let [law] = &laws[..] {
-        // A single law has nothing to borrow.
+        // A single law has no other law whose data it could use.
         return vec![law.weights_given([0.0; 2], 1.0)];
     }
     let priors: Vec<Common> = COMMON

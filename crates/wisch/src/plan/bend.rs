@@ -1,5 +1,6 @@
-//! What a plan on a curved surface needs: a tool that the model holds for, dirt that does not slide, and nothing in the
-//! way. A tool that touches with a part of its footprint is planned with that part ([`BendContact`]).
+//! Checks of a task on a curved surface: the contact model holds for the tool, the dirt does not
+//! slide, and no object is near. A tool that touches with a part of its footprint is planned with
+//! that part ([`BendContact`]).
 
 use super::PlanError;
 use crate::geometry::{Bounds2, Mesh, Point2, Point3, Vector2};
@@ -17,26 +18,28 @@ type Ranges = [[f64; 2]; 2];
 
 /// Number of yaws at which the tool is tried.
 const YAWS: usize = 90;
-/// Half the distance between the points of an object that are checked [m]; also their slack.
+/// Half the distance between the checked points of an object [m], which is also their slack.
 const SEARCH_STEP: f64 = 0.01;
-/// Distance of two places of a surface in space, over that in its chart, at most [1]: charts of meshes are stretched by a few
-/// percent.
+/// Largest ratio of the distance between two places in space to their distance in the chart [1]:
+/// charts of meshes are stretched by a few percent.
 const MOST_STRETCH: f64 = 1.1;
 
-/// Contact of a tool with a surface that bends, upright and at nominal force.
+/// Contact of an upright tool with a curved surface, at nominal force.
 ///
 /// The tool is an elastic foundation with the compression δ of the task, at least
 /// [`RIGID_COMPRESSION`](crate::represent::RIGID_COMPRESSION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BendContact {
-    /// Least and largest share of the footprint that touches, over all yaws and, of a cone or a mesh, places \[1\].
+    /// Least and largest share of the footprint that touches, over all yaws; on a cone or a mesh,
+    /// also over all places \[1\].
     pub touched_share: [f64; 2],
-    /// Least and largest pressure over the nominal one, over footprint and yaws \[1\]; 0 where the tool does not touch.
-    /// Foam bottoms out beyond [`MAX_PRESSURE`](crate::represent::MAX_PRESSURE).
+    /// Least and largest pressure over the nominal pressure, over the footprint and all yaws \[1\];
+    /// 0 where the tool does not touch. Foam bottoms out beyond
+    /// [`MAX_PRESSURE`](crate::represent::MAX_PRESSURE).
     pub pressure: [f64; 2],
     /// Length across the bend of the longest rectangular tool that would touch everywhere \[m\].
     pub fitting_length: f64,
-    /// The compression δ that is assumed \[m\].
+    /// Compression δ that the model assumes \[m\].
     pub compression: f64,
 }
 
@@ -131,8 +134,9 @@ fn yaws() -> impl Iterator<Item = f64> {
     (0..YAWS).map(|i| i as f64 * PI / YAWS as f64)
 }
 
-/// The pressure of a task's tool at a yaw [rad], its foundation, and the least pressure at which it acts; `None` on a plane, for
-/// a tool that hovers, and where all of the tool acts. The tightest bend counts.
+/// Returns the foundation of a task's tool, its pressure at a yaw [rad], and the least pressure at
+/// which it acts, on the tightest bend of the surface. `None` on a plane, for a tool that hovers,
+/// and if the whole tool acts.
 pub(super) fn partial_contact(
     task: &Task,
     yaw: f64,
@@ -147,8 +151,9 @@ pub(super) fn partial_contact(
     (tool.range(&pressure)[0] < least).then_some((tool, pressure, least))
 }
 
-/// Returns the vector across a hollow of the distance from the tool's centre within which the tool acts at no yaw [m]; 0
-/// elsewhere. The hollows of a cone or a mesh have no common direction, so that none counts.
+/// Returns a vector across a hollow [m]: nearer to its centre than the length of this vector, the
+/// tool acts at no yaw. Zero on other surfaces; a cone or a mesh has no common direction of its
+/// hollows.
 pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
     let SurfaceShape::Cylinder { radius, axis } = task.surface.shape else {
         return Vector2::zeros();
@@ -168,10 +173,11 @@ pub(super) fn gap_in_hollow(task: &Task) -> Vector2 {
     across * gaps.fold(f64::INFINITY, f64::min)
 }
 
-/// Checks that the method's model holds on the surface of a task; always on a plane.
+/// Checks that the contact model holds on the surface of a task. A plane always passes.
 ///
 /// # Errors
-/// A chart that does not fit its shape, a bend that is too sharp for the tool, or a slope on which dirt slides.
+/// [`PlanError::Shape`], [`PlanError::TooBent`], [`PlanError::HoversOffBend`] or
+/// [`PlanError::SteepBend`].
 pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     let surface = &task.surface;
     if surface.shape.is_plane() {
@@ -209,7 +215,8 @@ pub(super) fn check_bend(task: &Task) -> Result<(), PlanError> {
     Ok(())
 }
 
-/// Checks that a tool that hovers acts under all of it: its ends do not meet a hollow, nor hover too far over a bulge.
+/// Checks that a hovering tool acts over its whole length: its ends neither meet a hollow nor hover
+/// too far over a bulge.
 fn check_gap(task: &Task, radius: f64) -> Result<(), PlanError> {
     if !task.interaction.hovers() {
         return Ok(());
@@ -219,7 +226,7 @@ fn check_gap(task: &Task, radius: f64) -> Result<(), PlanError> {
         .map(|edge| edge.start.coords.norm())
         .fold(0.0, f64::max);
     let gap = task.interaction.gap_m;
-    // Its effect decreases with the gap: f′ = gap / (gap + sag).
+    // The effect decreases with the gap: f′ = gap / (gap + sag).
     let least = effective_pressure(&task.interaction.likelihood);
     let limit = if radius > 0.0 {
         gap * (1.0 / least - 1.0)
@@ -239,14 +246,15 @@ fn check_gap(task: &Task, radius: f64) -> Result<(), PlanError> {
     })
 }
 
-/// Returns how far from its centre a tool touches across the bend, at any yaw [m]: at most its own reach, and exactly that in a
-/// hollow, as it touches with its ends first. A reach up to the radius is that of the whole tool.
+/// Returns how far from its centre a tool touches across the bend, at any yaw [m]. In a hollow this
+/// is the reach of the tool, as its ends touch first; on a bulge it is at most that reach. If the
+/// reach is within the radius, the whole tool counts.
 fn touched_reach(task: &Task, radius: f64) -> f64 {
     let footprint = &task.tool.footprint;
     let corners = footprint.edges().map(|edge| edge.start.coords.norm());
     let reach = corners.fold(0.0, f64::max);
     let tool = ElasticFoundation::from_interaction(footprint, &task.interaction);
-    // What the tool touches matters only where the tool reaches beyond the axis of the bend.
+    // The part that touches matters only if the tool reaches beyond the axis of the bend.
     let Some(tool) = tool.filter(|_| radius > 0.0 && reach > radius) else {
         return reach;
     };
@@ -259,8 +267,8 @@ fn touched_reach(task: &Task, radius: f64) -> f64 {
     libm::sqrt(2.0 * most * tool.compression() * radius).min(reach)
 }
 
-/// Checks that no object of a scene is within a radius of a curved surface, on its outer side: as on a plane, what lies
-/// below the surface supports it.
+/// Checks that no object of a scene is within a radius of the outer side of a curved surface.
+/// Objects below the surface support it, as under a plane.
 ///
 /// `scene`: meshes in the surface frame.
 pub(super) fn check_scene<'a>(
@@ -310,7 +318,8 @@ fn find_distance_above(surface: &Surface, mesh: &Mesh, limit: f64) -> f64 {
         let middle = Point3::from((a.coords + b.coords + c.coords) / 3.0);
         let reach = [a, b, c].map(|corner| (corner - middle).norm());
         let reach = reach.into_iter().fold(0.0, f64::max);
-        // Distance and height change by at most the distance moved; twice the limit, for what a mesh approximates.
+        // Distance and height change by at most the distance moved. The limit counts twice, because
+        // a mesh is approximate.
         let far = 2.0 * limit + reach;
         if (middle - foot).norm() > size + far {
             continue;

@@ -19,11 +19,12 @@ pub(super) const MOST_COMPARED: usize = 5000;
 /// Returns candidate plans of a coverage strategy: at least one, and one for each of the first `count` settings
 /// that work.
 ///
-/// Nodes are placed on the dirt of `open`, the same task with for example the dirt that is not yet where it belongs. Candidates differ
-/// in the bandwidth of the density estimate, if the strategy uses one, and then in the start of the strokes:
-/// the tool's position, or a corner of the surface. The first candidate is the plan as configured, unless that
-/// fails. If `count` is at least the number of bandwidths, each of their graphs gives a second plan: its
-/// strokes are chosen one by one by their predicted effect, straight strokes among them.
+/// `open`: the same task with the dirt on which nodes are placed, for example the dirt that is not
+/// yet where it belongs. Candidates differ in the bandwidth of the density estimate, if the
+/// strategy uses one, and then in the start of the strokes: the tool's position, or a corner of the
+/// surface. The first candidate is the plan as configured, unless that fails. If `count` is at
+/// least the number of bandwidths, each of their graphs gives a second plan: its strokes are chosen
+/// one by one by their predicted effect, straight strokes among them.
 ///
 /// # Errors
 /// The error of the first setting, if no setting gives a plan.

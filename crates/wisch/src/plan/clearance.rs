@@ -97,7 +97,8 @@ impl FreeSpace {
         }
     }
 
-    /// Distance from a point of the surface's plane to the scene above it \[m\]; 0 inside an object.
+    /// Distance from a point of the surface's plane, in the surface frame \[m\], to the scene above
+    /// it \[m\]; 0 inside an object.
     pub fn distance(&self, point: Point2) -> f64 {
         if self.is_occupied(point) {
             return 0.0;
@@ -109,7 +110,7 @@ impl FreeSpace {
         })
     }
 
-    /// Whether an object of the scene stands on this point.
+    /// Whether an object of the scene stands on this point of the surface frame \[m\].
     pub fn is_occupied(&self, point: Point2) -> bool {
         self.occupied.contains(point)
     }
@@ -150,11 +151,12 @@ impl FreeSpace {
         }
     }
 
-    /// Share of `places` \[1\] that the tool covers at no free position of its centre and no rotation; 0 without
-    /// places.
+    /// Share of `places`, in the surface frame \[m\], that the tool covers from no free position of
+    /// its centre, at any rotation \[1\]; 0 without places.
     ///
-    /// `footprint`: the tool's footprint, in the tool frame. The tool acts on nothing nearer to its centre than `gap`, in
-    /// its direction and against it \[m\].
+    /// `footprint`: the tool's footprint, in the tool frame. `gap`: vector in the surface frame
+    /// \[m\]; along it, in both directions, the tool does not act nearer to its centre than the
+    /// length of this vector.
     pub fn unreachable_share(&self, places: &[Point2], footprint: &Region, gap: &Vector2) -> f64 {
         let rings = rings(footprint);
         let missed = (places.par_iter())
@@ -166,8 +168,9 @@ impl FreeSpace {
     /// Whether a tool at some free position covers `place`. `rings`: the distances from its centre that the
     /// footprint covers [m]. `gap`: see [`Self::unreachable_share`].
     ///
-    /// Squares around the place are divided until the centre of one of them is such a position, or until none
-    /// of their points can be. Both distances change by no more than the distance that a point moves.
+    /// Squares around the place are divided until the centre of one square is a free position that
+    /// covers the place, or until no point of any square can be. Both distances change by no more
+    /// than the distance that a point moves.
     fn is_covered(&self, place: Point2, rings: &[[f64; 2]], gap: &Vector2) -> bool {
         let reach = rings.iter().map(|ring| ring[1]).fold(0.0, f64::max);
         let mut squares = vec![(place, reach)];

@@ -6,9 +6,10 @@ use crate::represent::{
     heap_slide,
 };
 
-/// Depth of a heap of all particles ahead of where it is pushed to, over the radius of the tool's collision
-/// sphere [1]. It lies between what the belief draws (up to 0.12) and [`HEAP_DEPTH`]. An assumption; with the
-/// latter, single strokes leave more dirt away from the goal (87.5 % instead of 90 % on the board, seed 3).
+/// Depth of a heap of all particles ahead of the place to which it is pushed, over the radius of
+/// the tool's collision sphere [1]. It lies between the depths of the belief (up to 0.12) and
+/// [`HEAP_DEPTH`]. An assumption; with [`HEAP_DEPTH`], single strokes leave more dirt away from the
+/// goal (performance of 87.5 % instead of 90 % on the board, seed 3).
 const RIM_DEPTH: f64 = 0.2;
 /// Positions of the particles of a heap within its depth [1].
 const HEAP_PLACES: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
@@ -53,8 +54,8 @@ impl EdgeMargin {
         }
     }
 
-    /// Updates the margin with the positions after a motion. `moved`: indices of all particles that moved;
-    /// repetitions do no harm.
+    /// Updates the margin with the positions after a motion. `moved`: indices of all particles that
+    /// moved; an index may occur more than once.
     pub(super) fn pass_of(
         &mut self,
         after: &ParticleField,

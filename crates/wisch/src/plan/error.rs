@@ -32,7 +32,7 @@ pub enum PlanError {
         /// A usual bandwidth, the radius of the tool's collision sphere \[m\].
         usual: f64,
     },
-    /// A coat thinner than half of what one pass leaves.
+    /// One pass leaves at least twice the wanted thickness of a coat.
     #[error(
         "one pass leaves {:.4} mm, at least twice the wanted {:.4} mm: reduce the dispensed volume per metre, or take a wider tool",
         1e3 * per_pass,

@@ -14,8 +14,8 @@ use parry3d_f64::shape::{ConvexPolyhedron, Cuboid, TriMesh};
 /// over its length where the action treats the surface [1]. A quarter of the tool then still lies on the
 /// surface and keeps it from tipping.
 const OVERHANG: f64 = 0.25;
-/// Allowance for rounding: a place this far off still counts as on the surface, and this much of a path as not
-/// over a hole [m].
+/// Allowance for rounding [m]: a place this far off still counts as on the surface, and this length
+/// of a path over a hole is ignored.
 const TOLERANCE: f64 = 1e-6;
 /// Step along a stroke between two collision checks of the tool [m], and the rotation between them [rad].
 const STEP: f64 = 0.005;
@@ -132,7 +132,8 @@ pub fn describe_over_border(strokes: &[StrokeOverBorder]) -> Vec<String> {
 /// along the stroke.
 ///
 /// # Errors
-/// [`PlanError::Stroke`] for the first stroke that the tool cannot make, or geometry that the libraries refuse.
+/// [`PlanError::Stroke`] for the first stroke that the tool cannot make; [`PlanError::Scene`] for
+/// geometry that the collision library refuses.
 pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBorder>, PlanError> {
     check_bend(task)?;
     let meshes: Vec<Mesh> = task.obstacles_in_surface().collect();
@@ -160,8 +161,8 @@ pub fn check_strokes(task: &Task, strokes: &[Stroke]) -> Result<Vec<StrokeOverBo
 /// stroke ends.
 ///
 /// # Errors
-/// A stroke that the tool cannot make, see [`check_strokes`], or a treatment without a number of passes or a
-/// thickness.
+/// [`PlanError::Stroke`] for a stroke that the tool cannot make, see [`check_strokes`];
+/// [`PlanError::NoTreatment`] for a treatment without a number of passes or a thickness.
 pub fn plan_from_strokes(
     task: &Task,
     strokes: &[Vec<PlanarPose>],

@@ -8,7 +8,8 @@ use crate::represent::GoalState;
 pub enum NodeRole {
     /// Covers a part of the surface.
     Coverage,
-    /// Where the particles are to end: n_goal, or a place beyond the edge over which they are skimmed.
+    /// The place to which particles are pushed: n_goal, or a place beyond the edge over which they
+    /// are skimmed.
     Goal,
 }
 
@@ -21,7 +22,8 @@ pub struct Node {
     pub role: NodeRole,
 }
 
-/// SDG = {P, S_g, G_s} without its inputs: the nodes, the directed edges, and the goal state they serve.
+/// Semantic directed graph SDG = {P, S_g, G_s} of the paper: the nodes, the directed edges, and the
+/// goal state that they serve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SemanticDirectedGraph {
     /// All nodes, coverage nodes first.
@@ -42,7 +44,7 @@ impl SemanticDirectedGraph {
         self.nodes[node].position
     }
 
-    /// Returns for each node of a tree the node that its edge leads to.
+    /// Returns for each node of a tree the node to which its edge leads.
     pub(crate) fn successors(&self) -> Vec<Option<usize>> {
         let mut successors = vec![None; self.nodes.len()];
         for &(from, to) in &self.edges {

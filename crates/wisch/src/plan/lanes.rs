@@ -20,8 +20,8 @@ use std::f64::consts::FRAC_PI_2;
 const OVERHANG: f64 = 0.25;
 /// Largest distance between nodes of a lane, over the radius of the collision sphere [1].
 const NODE_PITCH: f64 = 2.0;
-/// A pass is left out if it gives too many passes to more places than this share of the places that need it
-/// [1]: those in the overlap with a neighbouring lane.
+/// A pass is left out if the number of places to which it gives too many passes exceeds this share
+/// of the places that need it [1]. Such places lie in the overlap with a neighbouring lane.
 const MOST_EXCEEDED: f64 = 0.25;
 /// Lanes that only rounding would add [1].
 const ROUNDING: f64 = 1e-9;
@@ -34,9 +34,10 @@ const SHIFTS_INSIDE: [f64; 6] = [0.25, -0.25, 0.5, -0.5, 0.75, -0.75];
 /// Number of halvings in the search for the end of a lane: exact to a micrometre.
 const HALVINGS: usize = 20;
 
-/// Plans lanes over all places that still need treatment, along x or y of the surface; where only a part of the tool
-/// acts on a bend, also along the bend and across it. The direction with the best predicted effect is taken, of equal
-/// ones the shortest.
+/// Plans lanes over all places that still need treatment, along x or y of the surface. If only a
+/// part of the tool acts on a bend, lanes along the bend and across it are also tried. The
+/// direction with the best predicted effect is taken; of equal directions, the one with the
+/// shortest path.
 pub(super) fn lanes(
     task: &Task,
     space: &FreeSpace,
@@ -139,7 +140,8 @@ impl<'a> Lanes<'a> {
     fn new(task: &Task, space: &'a FreeSpace, goal: GoalState, heading: f64, margin: f64) -> Self {
         let mut size =
             (task.tool.footprint.bounds()).map_or(task.tool.area_of_effect, |bounds| bounds.size());
-        // In a hollow, the tool acts with its ends: each is a strip as wide as a lane, beside the lane.
+        // In a hollow, the tool acts with its ends: each end treats a strip as wide as a lane,
+        // beside the lane.
         let acting = partial_contact(task, heading)
             .map(|(tool, pressure, least)| tool.acting_width(&pressure, least));
         if let Some(width) = acting.filter(|&width| width > 0.0) {
@@ -242,8 +244,8 @@ impl<'a> Lanes<'a> {
         by_lane
     }
 
-    /// Lateral shift of a pass [m]: the width by which lanes overlap, so that what one pass covers twice, the
-    /// next covers once.
+    /// Lateral shift of a pass [m]: the width by which lanes overlap. A place that one pass covers
+    /// twice is then covered once by the next pass.
     fn shift(&self, pass: u32, passes: u32) -> f64 {
         let overlap = self.tool.y - self.strip;
         if !self.is_lenient || overlap <= 0.0 {
@@ -399,8 +401,8 @@ impl<'a> Lanes<'a> {
         if is_possible { shifted } else { across }
     }
 
-    /// Counts a pass over the places under the tool. Refuses the pass, and returns false, if it serves few
-    /// places and gives too many others more passes than they may have.
+    /// Counts a pass over the places under the tool. If the pass serves few places and gives too
+    /// many passes to others, it is not counted, and the result is false.
     fn count_pass(&mut self, [from, to]: [f64; 2], across: f64, mended: usize) -> bool {
         let half = self.tool / 2.0;
         let is_under = |[x, y]: [f64; 2]| {
@@ -515,12 +517,12 @@ fn places_of(task: &Task) -> impl Iterator<Item = (Point2, Fate)> + '_ {
 #[derive(Debug, Clone, Copy)]
 struct LaneEnd {
     place: f64,
-    /// Distance by which the tool moves back and forth again, so that it slides over the last place as long as
-    /// over any other [m].
+    /// Distance by which the tool moves back and forth again [m], so that it slides over the last
+    /// place for as long as over any other place.
     again: f64,
 }
 
-/// Returns the plan of strokes with these poses; each pose is a node of its own.
+/// Returns the plan of strokes with these poses; each pose becomes one node.
 fn assemble_plan(
     task: &Task,
     space: &FreeSpace,

@@ -1,4 +1,4 @@
-//! The time that passes while a plan is carried out, in which a film of liquid runs.
+//! Nominal durations of a plan's motions, during which a liquid film runs.
 
 use super::Plan;
 use crate::geometry::{PlanarPose, Point2};
@@ -7,7 +7,7 @@ use crate::represent::{DirtMobility, Task, ToolMotion, ToolPace};
 /// Longest part of a motion after which the film is moved [s].
 const LONGEST_PART: f64 = 0.5;
 
-/// The nominal times of a task's motions; no time passes for dirt that does not run.
+/// Nominal times of a task's motions; all are 0 if the dirt does not run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct NominalTimes(Option<ToolPace>);
 

@@ -6,7 +6,8 @@ use super::score::DirtTerms;
 use super::{Plan, Stroke};
 use crate::represent::{Effect, ParticleField, Task};
 
-/// Objective of doing nothing for as long as a plan takes [particles], see [`objective`]: a film runs meanwhile.
+/// Objective of doing nothing for as long as a plan takes [particles], see [`objective`]; meanwhile
+/// a liquid film runs.
 pub(super) fn objective_at_rest(task: &Task, plan: &Plan) -> i64 {
     let goal = &plan.graph.goal;
     if !task.has_running_film() {
@@ -29,7 +30,7 @@ pub(super) fn objective_at_rest(task: &Task, plan: &Plan) -> i64 {
     DirtTerms::evaluate(&field.distribution(), goal, &task.surface, None).whole()
 }
 
-/// Whether a plan is predicted to be better than doing nothing for as long.
+/// Whether a plan is predicted to have a higher objective than doing nothing for the same time.
 pub fn has_predicted_gain(task: &Task, plan: &Plan) -> bool {
     objective(task, plan) > objective_at_rest(task, plan)
 }
@@ -75,8 +76,9 @@ pub(super) fn objective(task: &Task, plan: &Plan) -> i64 {
     DirtTerms::evaluate(&after, goal, &task.surface, Some(&margin)).whole()
 }
 
-/// Returns the plan with the highest objective; of equal plans the one with the shortest path in contact. Of a film that
-/// runs, what runs off during a plan without it does not count for the plan.
+/// Returns the plan with the highest objective; of equal plans, the one with the shortest path in
+/// contact. If a liquid film runs, liquid that would run off without the plan does not count for
+/// the plan.
 ///
 /// The objective is the number of particles that reach the goal, less several for each that falls over a wrong
 /// edge, because remaining dirt can be wiped again and lost dirt cannot. Particles pushed so near an edge that
@@ -87,7 +89,7 @@ pub(super) fn best_by_objective(
     plans: impl IntoIterator<Item = Plan>,
 ) -> Option<Plan> {
     let scored = plans.into_iter().map(|plan| {
-        // Where no film runs, doing nothing is worth the same beside every plan.
+        // If no film runs, doing nothing has the same objective for every plan.
         let at_rest = if task.has_running_film() {
             objective_at_rest(task, &plan)
         } else {

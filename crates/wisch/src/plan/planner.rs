@@ -45,8 +45,7 @@ pub type Portfolio = Vec<(Strategy, Result<Candidate, PlanError>)>;
 /// ```
 ///
 /// # Errors
-/// No free place on the surface, a goal node that is not free, a skim without an edge to push over, or geometry
-/// and costs that the libraries refuse.
+/// The errors of [`Planner::plan`].
 pub fn plan(task: &Task, config: &PlanConfig) -> Result<Plan, PlanError> {
     Planner::new(task, config).plan()
 }
@@ -77,7 +76,7 @@ pub struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    /// Returns a planner that takes the task's particles for certain.
+    /// Returns a planner for which the task's particles are the known dirt.
     pub fn new(task: &'a Task, config: &'a PlanConfig) -> Self {
         Self {
             task,
@@ -87,8 +86,8 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Returns a planner for dirt of which several distributions are possible; coverage strategies take the
-    /// first for certain.
+    /// Returns a planner for dirt of which several distributions are possible. Coverage strategies
+    /// plan for the first distribution alone.
     ///
     /// With several distributions, each simulation holds the tool a little differently, gives heaps a depth and
     /// begins contact late. A plan that is right to the millimetre for only one of them then scores less.
@@ -109,8 +108,9 @@ impl<'a> Planner<'a> {
     /// Plans by the configured strategy; [`Strategy::Best`] plans by all and takes the best.
     ///
     /// # Errors
-    /// A strategy that does not fit the action, no free place on the surface, a goal node that is not free, a
-    /// skim without an edge to push over, or geometry and costs that the libraries refuse.
+    /// [`PlanError::StrategyDoesNotFit`], [`PlanError::NoFreeNode`], [`PlanError::GoalOffSurface`],
+    /// [`PlanError::GoalNotFree`], [`PlanError::NoSkimEdge`], or an error about the geometry, such
+    /// as [`PlanError::Scene`].
     pub fn plan(&self) -> Result<Plan, PlanError> {
         let (strategy, config) = (self.config.strategy, self.config);
         check_fits(strategy, self.task)?;
@@ -179,7 +179,7 @@ impl<'a> Planner<'a> {
     /// each that falls over a wrong edge; of equal subplans the shorter wins. Paper §4.3.
     ///
     /// # Errors
-    /// If the scene's geometry cannot be used.
+    /// [`PlanError::Scene`], or another error about the geometry.
     pub fn best_subplan(&self, plan: &Plan) -> Result<Plan, PlanError> {
         let plans = std::slice::from_ref(plan);
         Ok(best_of(self.task, plans, &free_space_of(self.task)?))
@@ -188,7 +188,7 @@ impl<'a> Planner<'a> {
     /// Plans by every strategy that fits the action, and scores each plan.
     ///
     /// # Errors
-    /// Geometry that the libraries refuse.
+    /// [`PlanError::Scene`], or another error about the geometry.
     pub fn plan_by_every_strategy(&self) -> Result<Portfolio, PlanError> {
         let prepared = self.prepare()?;
         let (task, config) = (&prepared.task, self.config);
@@ -214,7 +214,7 @@ impl<'a> Planner<'a> {
     /// `avoid`: the places, in the surface frame \[m\].
     ///
     /// # Errors
-    /// Geometry that the libraries refuse.
+    /// [`PlanError::Scene`], or another error about the geometry.
     pub fn plan_around(&self, plan: &Plan, avoid: &[Point2]) -> Result<Plan, PlanError> {
         let Prepared {
             of_few, few, space, ..
@@ -228,7 +228,7 @@ impl<'a> Planner<'a> {
     /// Returns the score of a plan, as the mean over all possible distributions of the dirt.
     ///
     /// # Errors
-    /// Geometry that the libraries refuse.
+    /// [`PlanError::Scene`], or another error about the geometry.
     pub fn score(&self, plan: &Plan) -> Result<PlanScore, PlanError> {
         Ok(score(&self.prepare()?.valuation(self.config), plan))
     }
@@ -263,11 +263,11 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// What planning for several possible distributions of the dirt needs.
+/// The inputs of planning for several possible distributions of the dirt.
 struct Prepared {
     /// The task with the first of the distributions.
     task: Task,
-    /// The same task, whose dirt moves as that of the subsets.
+    /// The same task, with the mobility that particles of the subsets have.
     of_few: Task,
     /// A subset of each distribution for the search.
     few: Vec<ParticleDistribution>,
@@ -338,8 +338,8 @@ fn plan_by(
     }
 }
 
-/// Cuts a plan to the longest distance allowed and notes which share of the task's dirt the tool covers at no
-/// pose.
+/// Cuts a plan to the longest distance allowed, and computes the share of the task's dirt that the
+/// tool cannot cover.
 fn finish(plan: Plan, task: &Task, space: &FreeSpace, config: &PlanConfig) -> Plan {
     let plan = match config.max_distance {
         Some(most) if plan.contact_distance() > most => plan.truncate(most),
@@ -356,10 +356,11 @@ fn unreachable_share(task: &Task, space: &FreeSpace) -> f64 {
     space.unreachable_share(&places, &task.tool.footprint, &gap_in_hollow(task))
 }
 
-/// Returns the share of a task's dirt that its tool covers from no free place of the surface \[1\], whatever the plan.
+/// Returns the share of a task's dirt that its tool can cover from no free place of the surface,
+/// under any plan \[1\].
 ///
 /// # Errors
-/// If the geometry of surface or scene does not suit planning, as for [`plan`].
+/// [`PlanError::Scene`], or another error about the geometry, as for [`plan`].
 ///
 /// ```
 /// use wisch::plan::find_unreachable_share;

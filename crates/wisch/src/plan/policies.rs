@@ -15,7 +15,7 @@ use crate::represent::{Action, GoalState, ParticleDistribution, Task};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Largest number of particles by which headings are chosen.
+/// Largest number of particles with which headings are chosen.
 const CHOSEN_BY: usize = 2000;
 
 /// Number of nodes in a tile of a tour that is made of tiles.
@@ -23,8 +23,9 @@ const TILE_NODES: usize = 500;
 /// Random kicks per node of a tile.
 const TILE_KICKS: usize = 5;
 
-/// Largest product of nodes and tried goals where the planner chooses the goal itself, in proportion to the
-/// computing time; and the number of goals that are tried for any number of nodes.
+/// Largest product of the number of nodes and the number of tried goals, where the planner chooses
+/// the goal itself; computing time is proportional to it. And the number of goals that are always
+/// tried.
 const TRIED_GOAL_NODES: usize = 250_000;
 const FEWEST_GOALS: usize = 9;
 
@@ -72,9 +73,10 @@ pub(super) fn plan_by_coverage(
     Ok(plan)
 }
 
-/// Returns new strokes through some nodes of a plan, for example those within a robot's reach. To absorb, they
-/// are an open tour from the node nearest to `from`, in the surface frame [m]. Else they are trees that lead to
-/// those of the nodes that are goals. A node without a path to a goal is in no stroke.
+/// Returns new strokes through some nodes of a plan, for example the nodes within a robot's reach.
+/// To absorb, the strokes are an open tour from the node nearest to `from`, in the surface frame
+/// [m]. For other actions, they are trees that lead to the goals among these nodes. A node without
+/// a path to a goal is in no stroke.
 ///
 /// # Errors
 /// Geometry and costs that the libraries refuse.

@@ -16,8 +16,8 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// The share of the dirt that the plan brings where it belongs, less three times the share that it loses
-    /// \[1\]; from 1 down to −3.
+    /// The share of the dirt that the plan brings where it belongs, minus three times the share
+    /// that it loses \[1\]; from 1 down to −3.
     pub fn score(&self) -> f64 {
         DirtTerms::from(&self.performance).total() / self.performance.initial.max(1) as f64
     }

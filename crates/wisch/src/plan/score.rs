@@ -1,13 +1,14 @@
-//! The predicted score of a plan, term by term: by these terms all plans are compared.
+//! The predicted score of a plan, term by term. All plans are compared by it.
 
 use super::edge_margin::EdgeMargin;
 use crate::represent::{GoalState, ParticleDistribution, Performance, Surface};
 
 /// Number of remaining particles that weigh as much as one lost particle: remaining dirt can be wiped again [1].
 const LOSS: f64 = 3.0;
-/// Particles at the goal that one particle right at an edge cancels; within the margin, in proportion to its
-/// nearness [1]. Chosen on `failure-human-push`, seeds 101 to 130: with 1, or if all particles within the margin
-/// count in full, more dirt is left on the surface and fewer runs end well.
+/// Number of particles in the goal that one particle right at an edge cancels; within the margin,
+/// in proportion to its nearness [1]. Chosen on `failure-human-push`, seeds 101 to 130: with 1, or
+/// if all particles within the margin count in full, more dirt is left on the surface and fewer
+/// runs succeed.
 const RISK: f64 = 0.5;
 
 /// The terms of a [`PlanScore`] that the dirt contributes, for one possible distribution [particles].
@@ -16,7 +17,7 @@ pub(super) struct DirtTerms {
     pub(super) in_place: f64,
     pub(super) lost: f64,
     pub(super) at_risk: f64,
-    /// The search alone counts how far remaining dirt is away.
+    /// Distance of remaining dirt from the goal; only the search counts it.
     pub(super) away: f64,
 }
 
@@ -62,8 +63,8 @@ impl From<&Performance> for DirtTerms {
 
 /// The score of a plan, as the mean over all possible distributions of the dirt.
 ///
-/// Every term is a share of the dirt \[1\]. The total is `in_place` less all other terms: wiping the whole
-/// surface once costs 0.01.
+/// Every term is a share of the dirt \[1\]. The total is `in_place` minus all other terms; the path
+/// that wipes the whole surface once costs 0.01.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PlanScore {
     /// Sum of the terms \[1\]: more is better.

@@ -7,7 +7,8 @@ use std::str::FromStr;
 /// How the planner finds the strokes of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Strategy {
-    /// Nodes that cover the surface or the dirt, joined by the action's policy; the strategies of the paper.
+    /// Nodes that cover the surface or the dirt, joined by the policy of the action; the strategies
+    /// of the paper.
     Coverage(CoverageStrategy),
     /// Simulated annealing over whole plans, each valued by its simulated effect.
     Adaptive,
@@ -15,8 +16,8 @@ pub enum Strategy {
     Lanes,
     /// The strategy whose plan has the highest predicted score. No plan has this as its own strategy.
     Best,
-    /// Strokes that the user gave ([`plan_from_strokes`](super::plan_from_strokes)); the planner does not plan by
-    /// it.
+    /// Strokes that the user gave ([`plan_from_strokes`](super::plan_from_strokes)). The planner
+    /// never uses this strategy.
     Own,
 }
 
@@ -50,7 +51,7 @@ impl Strategy {
         fitting.map(Self::as_str).collect::<Vec<_>>().join(", ")
     }
 
-    /// The strategy for later rounds of an action: the density of the remaining dirt places the nodes best.
+    /// The strategy for later rounds of an action: nodes by the density of the remaining dirt.
     pub(crate) fn for_what_is_left(action: Action) -> Self {
         if action.treats() {
             Self::Lanes
@@ -69,8 +70,8 @@ impl Strategy {
         matches!(self, Self::Adaptive | Self::Best | Self::Own)
     }
 
-    /// The coverage strategy for strokes that have to run through nodes: this strategy if it is one, else the
-    /// density's.
+    /// The coverage strategy for strokes that must run through nodes: this strategy if it is a
+    /// coverage strategy, otherwise [`CoverageStrategy::Kde`].
     pub(super) fn covering(self) -> CoverageStrategy {
         match self {
             Self::Coverage(strategy) => strategy,

@@ -9,7 +9,7 @@ use crate::represent::{GoalState, Task};
 /// Length of a subplan of a tour, over the radius r_s of the collision sphere: about three widths of the tool,
 /// as long as a wipe between two observations.
 const TOUR_SUBPLAN: f64 = 6.0;
-/// Smallest gain of a subplan: one of this many particles.
+/// A subplan must gain at least one particle of this many.
 const GAIN: usize = 250;
 /// Largest number of tree nodes at which subplans begin; of more nodes, an evenly spread subset is used.
 const MAX_BEGINNINGS: usize = 500;
@@ -55,7 +55,8 @@ impl ScoredSubplan {
     }
 }
 
-/// Returns the best subplan of several plans; the first plan without strokes if no subplan gains anything.
+/// Returns the best subplan of several plans; if no subplan gains anything, the first plan without
+/// strokes.
 pub(super) fn best_of(task: &Task, plans: &[Plan], space: &FreeSpace) -> Plan {
     let mut best: Option<(ScoredSubplan, &Plan)> = None;
     for plan in plans {

@@ -43,7 +43,7 @@ pub enum TourError {
     /// There are more nodes than [`MAX_TOUR_NODES`].
     #[error("{count} nodes exceed the limit of {MAX_TOUR_NODES}")]
     TooManyNodes {
-        /// How many nodes were given.
+        /// Number of nodes that were given.
         count: usize,
     },
     /// The start is not one of the nodes.

@@ -23,9 +23,9 @@ const BAND: f64 = 1.5;
 /// no cost.
 ///
 /// The edges of a minimum spanning tree are the shortest that connect. Edges longer than `max_length` are
-/// therefore taken only where the tree would fall apart without them. An edge to a goal beyond the border
-/// counts less the r_s by which the goal lies outside, because particles are pushed only up to the border. With
-/// full lengths, hardly any tree would start from a goal of its own.
+/// therefore taken only where the tree would otherwise fall apart. An edge to a goal beyond the
+/// border counts its length minus r_s, by which the goal lies outside, because particles are pushed
+/// only up to the border. With full lengths, hardly any tree would start from its own goal.
 ///
 /// Edges are examined in bands of growing length, and only between parts that are not yet connected: that takes
 /// n log n time on a grid of n nodes. Nodes that [`MOST_PAIRS`] pairs do not connect are unreachable.

@@ -17,10 +17,11 @@ pub enum YawRule {
     Blended,
     /// The broad side stays across the motion along whole edges; the tool turns on the spot at nodes.
     AlongEdges,
-    /// One heading for all strokes: of several, the heading with the best predicted effect.
+    /// One heading for all strokes: of several tried headings, the one with the best predicted
+    /// effect.
     Constant,
-    /// The rule with the best predicted effect. Constant headings are tried only where the tool takes dirt up,
-    /// because pushed dirt has to stay in front of the tool.
+    /// The rule with the best predicted effect. Constant headings are tried only if the tool
+    /// absorbs the dirt, because pushed dirt must stay in front of the tool.
     #[default]
     Best,
 }

@@ -1,4 +1,4 @@
-//! The task of the next round, and the dirt that its plan is for.
+//! The task of the next round, and the dirt for which its plan is made.
 
 use crate::geometry::{Point2, Pose, Region};
 use crate::interpret::{Belief, Diagnosis, Interpretation};
@@ -9,8 +9,8 @@ use crate::represent::{
 /// Number of draws from the belief for which later rounds are planned, by [`Belief::draw_mixture`] with the seed of
 /// the task.
 pub const PLANNING_DRAWS: usize = 8;
-/// Largest and smallest number of plans that are tried for remaining dirt. Its density is that of a few
-/// scattered grains, so the prediction is the best guide.
+/// Largest and smallest number of plans that are tried for remaining dirt. The density of a few
+/// scattered grains says little, so the prediction is the best criterion.
 const RECOVERY_CANDIDATES: [usize; 2] = [50, 3];
 /// Budget of prediction work: edges of the tool's footprint times plans.
 const RECOVERY_EDGES: usize = 2000;
@@ -44,7 +44,7 @@ const RECOVERY_EDGES: usize = 2000;
 /// ```
 ///
 /// # Errors
-/// The belief holds a position that is not finite.
+/// [`ParticleError::NotFinite`] if the belief holds a position that is not finite.
 pub fn next_task(
     task: &Task,
     goal: &GoalState,
@@ -63,8 +63,9 @@ pub fn next_task(
     Ok(next)
 }
 
-/// Returns the task with its surface, and everything around it, moved to another pose: the localisation error
-/// is that of the robot before the scene.
+/// Returns the task with its surface at another pose. The object that carries the surface and the
+/// obstacles move with it, because a localisation error is an error of the robot's pose relative to
+/// the scene.
 pub fn relocate(task: &Task, world_from_surface: Pose) -> Task {
     let moved = world_from_surface * task.surface.world_from_surface.inverse();
     let mut next = task.clone();
@@ -77,11 +78,11 @@ pub fn relocate(task: &Task, world_from_surface: Pose) -> Task {
     next
 }
 
-/// Returns the dirt to plan for: only the dirt that is not yet where it belongs, so that collected dirt
-/// attracts no further stroke.
+/// Returns the dirt to plan for: only the dirt that does not yet meet the goal, so that collected
+/// dirt attracts no further stroke.
 ///
 /// # Errors
-/// A position is not finite.
+/// [`ParticleError::NotFinite`] for a position that is not finite.
 pub fn remaining_dirt(
     task: &Task,
     goal: &GoalState,
@@ -101,12 +102,12 @@ fn remaining_particles<'a>(
     })
 }
 
-/// Whether the belief has all dirt where it belongs, lost dirt excepted. With the seed of the next task it uses
-/// the same draws as the plan. For an action that treats the surface, it uses the median number of passes of
-/// each place.
+/// Whether, by the belief, all dirt meets the goal, except for lost dirt. With the seed of the next
+/// task it uses the same draws as the plan. For an action that treats the surface, it uses the
+/// median number of passes of each place.
 ///
 /// # Errors
-/// The belief holds a position that is not finite.
+/// [`ParticleError::NotFinite`] if the belief holds a position that is not finite.
 pub fn is_done(
     belief: &Belief,
     goal: &GoalState,

@@ -6,7 +6,8 @@ use std::fmt;
 
 /// Smallest rise of the estimate that counts as progress \[1\].
 pub const MIN_PROGRESS: f64 = 0.005;
-/// Number of consecutive strokes without progress after which the next is not expected to help.
+/// Number of consecutive strokes without progress after which the next stroke is predicted not to
+/// help.
 const STALLED_STROKES: usize = 4;
 /// Distance of the performance below the target at which a claim is false \[1\].
 pub const FALSE_CLAIM_MARGIN: f64 = 0.1;
@@ -23,7 +24,7 @@ pub enum Pace {
     Greedy,
 }
 
-/// The verdict on a round: [`Verdict::Again`] continues the session, any other ends it.
+/// The verdict on a round: [`Verdict::Again`] continues the session, all other verdicts end it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// The expected performance reaches the target, a performance far below it is improbable, and contact or a
@@ -31,7 +32,7 @@ pub enum Verdict {
     GoalMet,
     /// Wipe again.
     Again,
-    /// The estimate no longer rises.
+    /// Neither the mean of the estimate nor its lower end rises any more.
     NoProgress,
     /// No plan has a predicted gain: the remaining dirt has left the surface, or would leave it; or too many points are
     /// polished more often than the task allows, see [`exceeds_max_passes`].
@@ -43,8 +44,8 @@ pub enum Verdict {
     /// The log does not show what was wiped: it has no contact, or its doubts contradict the result. Or an observation
     /// neither shows nor excludes that the goal is met. This is neither success nor failure.
     Undecidable,
-    /// The goal may be met or not: further wiping is expected to change nothing, and touch cannot decide. For a
-    /// tool that hovers, touch never can.
+    /// Whether the goal is met is undecided: further wiping is predicted to change nothing, and
+    /// contact forces cannot decide. For a tool that hovers, they never can.
     UnknowableByTouch,
 }
 
@@ -70,7 +71,7 @@ pub fn is_claimable(believed: &PerformanceDistribution, target: f64) -> bool {
     Claim::assess(believed, target).holds()
 }
 
-/// The rule by which a goal is claimed, with the numbers that decide.
+/// The rule by which a goal is claimed, with the decisive numbers.
 ///
 /// ```
 /// use wisch::interpret::PerformanceDistribution;
@@ -161,16 +162,16 @@ pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     }
 }
 
-/// Whether more points than the target leaves, 1 − `target`, are believed to be polished more often than the task allows. Then
-/// the goal is not met, and further passes cannot change that.
+/// Whether the share of points that are believed to be polished more often than the task allows
+/// exceeds 1 − `target`. Then the goal is not met, and further passes cannot change that.
 pub fn exceeds_max_passes(task: &Task, belief: &Belief, target: f64) -> bool {
     let weights = belief.weights().iter().copied();
     (task.treatment)
         .is_some_and(|polish| polish.exceeds_limit(belief.members().iter().zip(weights), target))
 }
 
-/// Returns `verdict`, or [`Verdict::NothingToGain`] instead of [`Verdict::GoalMet`] where points are polished too often; see
-/// [`exceeds_max_passes`].
+/// Returns `verdict`, but [`Verdict::NothingToGain`] instead of [`Verdict::GoalMet`] if too many
+/// points are polished too often; see [`exceeds_max_passes`].
 pub fn limit_by_max_passes(verdict: Verdict, task: &Task, belief: &Belief, target: f64) -> Verdict {
     match verdict {
         Verdict::GoalMet if exceeds_max_passes(task, belief, target) => Verdict::NothingToGain,
@@ -179,8 +180,8 @@ pub fn limit_by_max_passes(verdict: Verdict, task: &Task, belief: &Belief, targe
 }
 
 /// Returns what is known about the goal after the last round of a run, which ended with `verdict`:
-/// [`Verdict::GoalMet`], [`Verdict::Undecidable`], [`Verdict::UnknowableByTouch`], or `verdict` itself where the goal is
-/// missed.
+/// [`Verdict::GoalMet`], [`Verdict::Undecidable`], [`Verdict::UnknowableByTouch`], or `verdict`
+/// itself if the goal is missed.
 pub fn assess_goal(verdict: Verdict, interpretation: &Interpretation, target: f64) -> Verdict {
     match (verdict, assess_log(interpretation, target)) {
         (Verdict::GoalMet, _) => Verdict::GoalMet,
@@ -199,7 +200,7 @@ pub struct RoundOutcome<'a> {
     pub interpretation: &'a Interpretation,
     /// Expected performance before the round \[1\].
     pub performance_before: f64,
-    /// Whether all dirt is believed to be where it belongs, lost dirt excepted; see
+    /// Whether, by the belief, all dirt meets the goal, except for lost dirt; see
     /// [`is_done`](super::is_done).
     pub is_done: bool,
     /// Whether the robot stopped itself to protect a person or an object.
@@ -214,7 +215,8 @@ impl RoundOutcome<'_> {
     }
 }
 
-/// The termination policy. It remembers the last certainty and the number of rounds without progress.
+/// The termination policy. It remembers the last lower end of the estimate and the number of rounds
+/// without progress.
 #[derive(Debug, Clone)]
 pub struct TerminationPolicy {
     target: f64,
@@ -241,9 +243,9 @@ impl TerminationPolicy {
 
     /// Decides about the round that has just been interpreted, and remembers it for later rounds.
     ///
-    /// Touch is unreliable while a person pushes. Only a round without disturbance, or a camera, shows that the
-    /// goal is met. A disturbance is no reason against another try, and neither is a localisation error of the
-    /// surface.
+    /// Contact forces are unreliable while a person pushes. Only a round without disturbance, or a
+    /// camera, shows that the goal is met. After a disturbance, or a localisation error of the
+    /// surface, the robot wipes again.
     pub fn verdict(&mut self, outcome: &RoundOutcome<'_>) -> Verdict {
         let interpretation = outcome.interpretation;
         let is_seen = interpretation.observation.is_some();
@@ -286,13 +288,13 @@ impl TerminationPolicy {
         self.or_undecided(interpretation, ended)
     }
 
-    /// Returns the verdict where no plan has a predicted gain.
+    /// Returns the verdict if no plan has a predicted gain.
     pub fn conclude_without_gain(&self, interpretation: &Interpretation) -> Verdict {
         self.or_undecided(interpretation, Verdict::NothingToGain)
     }
 
-    /// Returns `ended`, or [`Verdict::UnknowableByTouch`] where touch cannot decide whether the goal is met; a
-    /// camera could.
+    /// Returns `ended`, or [`Verdict::UnknowableByTouch`] if contact forces cannot decide whether
+    /// the goal is met, although a camera could.
     fn or_undecided(&self, interpretation: &Interpretation, ended: Verdict) -> Verdict {
         let is_seen = interpretation.observation.is_some();
         if !interpretation.is_conclusive() {

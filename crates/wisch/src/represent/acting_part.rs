@@ -1,4 +1,4 @@
-//! The part of a footprint that acts on a surface that bends: where the tool presses hard enough.
+//! The part of a footprint that acts on a curved surface: the part whose pressure is high enough.
 
 use super::{ElasticFoundation, LocalPressure, Surface, SurfaceShape, principal_curvatures};
 use crate::geometry::{Edge, Point2, Polygon, Region, Vector2};
@@ -16,9 +16,9 @@ pub(super) struct ActingPart {
     foundation: ElasticFoundation,
     /// Least pressure over the nominal one at which the tool acts [1].
     least: f64,
-    /// Size of a bend up to which all of the tool acts, at every yaw [1/m].
+    /// Curvature up to which the whole tool acts, at every yaw [1/m].
     harmless: f64,
-    /// What is known of the bend that was met last.
+    /// Known values for the bend that was examined last.
     known: Option<KnownBend>,
     /// The last yaw over a mesh, and its rotation.
     turn: (f64, Rotation2<f64>),
@@ -28,17 +28,18 @@ pub(super) struct ActingPart {
 #[derive(Debug, Clone)]
 struct KnownBend {
     bend: Matrix2<f64>,
-    /// Radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it does. `None`
-    /// until it is needed.
+    /// Radius about the tool centre point within which the tool acts at every yaw [m]; infinite if
+    /// the whole tool acts. `None` until it is needed.
     radius: Option<f64>,
     /// Boundary of the part within the radius.
     edges: Option<Vec<Edge>>,
-    /// The pressure at the last yaw, unless all of the tool acts there.
+    /// The pressure at the last yaw; `None` for the pressure if the whole tool acts there.
     upright: Option<(f64, Option<LocalPressure>)>,
 }
 
 impl ActingPart {
-    /// Returns the part of a tool that acts from the pressure `least` over the nominal one on [1].
+    /// Returns the part of a tool that acts if the tool acts at pressures of at least `least` over
+    /// the nominal pressure [1].
     pub(super) fn new(foundation: ElasticFoundation, least: f64) -> Self {
         Self {
             harmless: foundation.harmless_bend(least),
@@ -56,15 +57,15 @@ impl ActingPart {
             SurfaceShape::Cylinder { .. } => {
                 (self.pressure(surface, Point2::origin(), heading)).is_some()
             }
-            // At which places is asked for each particle.
+            // [`Self::pressure`] decides for the place of each particle.
             SurfaceShape::Cone(_) | SurfaceShape::Mesh(_) => {
                 self.radius_at_every_yaw(surface) < f64::INFINITY
             }
         }
     }
 
-    /// Returns the pressure of the tool at a yaw [rad] where the surface bends as it does at a place of its chart, and the
-    /// least pressure at which the tool acts; `None` if all of it acts.
+    /// Returns the pressure of the tool at a yaw [rad], on the bend at a place of the chart, and
+    /// the least pressure at which the tool acts. `None` if the whole tool acts.
     pub(super) fn pressure(
         &mut self,
         surface: &Surface,
@@ -97,8 +98,9 @@ impl ActingPart {
         pressure.map(|pressure| (pressure, least))
     }
 
-    /// Returns the boundary of the part of a footprint that acts at every yaw, at the tightest bend; `None` if all of it
-    /// does. Of a footprint in several pieces, whole pieces count.
+    /// Returns the boundary of the part of a footprint that acts at every yaw, at the tightest
+    /// bend; `None` if the whole footprint acts. A convex footprint is cut; of any other footprint,
+    /// only the pieces count that lie wholly within the acting part.
     pub(super) fn at_every_yaw(
         &mut self,
         surface: &Surface,
@@ -126,8 +128,8 @@ impl ActingPart {
         Some(edges)
     }
 
-    /// Returns the radius about the tool centre point within which the tool acts at every yaw [m]; infinite if all of it
-    /// does.
+    /// Returns the radius about the tool centre point within which the tool acts at every yaw [m];
+    /// infinite if the whole tool acts.
     fn radius_at_every_yaw(&mut self, surface: &Surface) -> f64 {
         let (least, tightest) = (self.least, surface.tightest_bend());
         if let Some(KnownBend {
@@ -144,7 +146,7 @@ impl ActingPart {
         *(known.radius).get_or_insert_with(|| radius_at_every_yaw(foundation, &bend, least))
     }
 
-    /// Returns what is known of a bend.
+    /// Returns the known values for a bend, and makes it the last one.
     fn meet(&mut self, bend: Matrix2<f64>) -> (&ElasticFoundation, &mut KnownBend) {
         let foundation = &self.foundation;
         let known = self.known.take().filter(|known| known.bend == bend);
@@ -158,8 +160,8 @@ impl ActingPart {
     }
 }
 
-/// Returns the radius about the tool centre point within which the pressure reaches `least` at every yaw [m]; infinite if
-/// it does so under the whole tool, and 0 if it does so nowhere.
+/// Returns the radius about the tool centre point within which the pressure reaches `least` at
+/// every yaw [m]; infinite if it does so under the whole tool, and 0 if it does so at no place.
 fn radius_at_every_yaw(foundation: &ElasticFoundation, bend: &Matrix2<f64>, least: f64) -> f64 {
     let yaws = (0..YAWS).map(|i| i as f64 * PI / YAWS as f64);
     let (mut under_all, mut middle) = (f64::INFINITY, f64::INFINITY);

@@ -35,9 +35,9 @@ struct ConeAxes {
     slant: f64,
 }
 
-/// A place as seen from the apex.
+/// A place in polar coordinates about the apex.
 struct SectorPlace {
-    /// Distance from the apex, less that of the chart's origin [m].
+    /// Distance of the place from the apex, minus that of the chart's origin [m].
     beyond: f64,
     /// Angle θ from the line through the chart's origin [rad].
     turn: f64,
@@ -82,7 +82,7 @@ impl Cone {
         let sign = self.radius.signum();
         let angle = libm::atan2(sign * side, sign * (up + self.radius));
         let distance = libm::hypot(side, up + self.radius);
-        // Distance from the axis less |R|, without cancellation.
+        // Distance from the axis minus |R|, in a form without cancellation.
         let off = (side * side + up * (up + 2.0 * self.radius)) / (distance + self.radius.abs());
         let height = sign * (off * own.cosine - along * own.sine.abs());
         let beyond = (along * own.cosine + off * own.sine.abs()).max(-own.slant);
@@ -96,7 +96,8 @@ impl Cone {
         }
     }
 
-    /// Returns the place that is seen along the z of the frame, as [`super::SurfaceShape::place_below`].
+    /// Returns the place below a point along the z axis of the frame, as
+    /// [`super::SurfaceShape::place_below`].
     pub(super) fn place_below(&self, point: Point2) -> Option<Point2> {
         let own = self.axes();
         let (v, u) = (own.along.dot(&point.coords), own.across.dot(&point.coords));
@@ -112,8 +113,8 @@ impl Cone {
         })
     }
 
-    /// Returns the second fundamental form at a place, as [`super::SurfaceShape::bend`]; near the apex, that where the
-    /// cone is as narrow as it may be.
+    /// Returns the second fundamental form at a place, as [`super::SurfaceShape::bend`]. Near the
+    /// apex, it is that of the narrowest permitted place.
     pub(super) fn bend(&self, place: Point2) -> Matrix2<f64> {
         let own = self.axes();
         let SectorPlace { beyond, turn } = own.sector_place(place);
@@ -128,7 +129,7 @@ impl Cone {
         own.sector_place(place).turn / own.sine
     }
 
-    /// Returns the angle by which the normal turns on the way between two places \[rad\].
+    /// Returns the angle by which the normal turns on the path between two places \[rad\].
     pub(super) fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         // The normals are on a circle of the radius cos α.
         (self.axes().cosine * (self.roll(to) - self.roll(from))).abs()
@@ -175,7 +176,7 @@ impl ConeAxes {
         );
         let distance = libm::hypot(self.slant + v, u);
         SectorPlace {
-            // ρ − s, without cancellation: ρ² − s² = v² + 2 s v + u².
+            // ρ − s, in a form without cancellation: ρ² − s² = v² + 2 s v + u².
             beyond: (v * (2.0 * self.slant + v) + u * u) / (distance + self.slant),
             turn: libm::atan2(u, self.slant + v),
         }

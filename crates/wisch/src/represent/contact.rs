@@ -1,4 +1,5 @@
-//! Contact of a compliant tool with a surface that bends: where the tool touches, and how hard it presses there.
+//! Contact of a compliant tool with a curved surface: where the tool touches, and with which
+//! pressure.
 //!
 //! The tool is an elastic foundation (Johnson, Contact Mechanics, 1985, §4.3): a bed of independent springs under a
 //! held force. Over the tangent plane at the tool centre point, the surface has the height h(q) = s·q − ½ qᵀBq, with the
@@ -11,26 +12,29 @@
 //!   κ₁L₁² + κ₂L₂² ≤ 12 δ, and in a hollow if |κ₁L₁² + κ₂L₂²| ≤ 24 δ.
 //! - Otherwise, m is the root of a convex function, which Newton's method approaches from one side. The integrals over
 //!   the touched part are sums over the edges of the footprint: exact where the surface bends in one direction only,
-//!   and by quadrature to about 1e-9 elsewhere. A strip of the share Λ^(−1/3) touches on a cylinder, Λ = κL²/12δ, and a
-//!   disc of the share Λ^(−1/2) under a round pad of radius r on a ball, Λ = κr²/4δ.
+//!   and by quadrature to about 1e-9 elsewhere. On a cylinder, a strip of the share Λ^(−1/3)
+//!   touches, with Λ = κL²/12δ. Under a round pad of radius r on a sphere, a disc of the share
+//!   Λ^(−1/2) touches, with Λ = κr²/4δ.
 //!
-//! The model neglects shear between the springs, and takes the surface for a parabola under the tool.
+//! The model neglects shear between the springs, and approximates the surface by a parabola under
+//! the tool.
 
 use super::{Interaction, LogNormal};
 use crate::geometry::{Bounds2, Edge, Point2, Region, Vector2, encloses};
 use nalgebra::{Matrix2, Rotation2};
 
-/// Compression of a tool that counts as rigid \[m\]: a dense rubber lip or a hard plate still gives way by about a tenth
-/// of a millimetre.
+/// Compression of a tool that counts as rigid \[m\]: even a dense rubber lip or a hard plate yields
+/// by about a tenth of a millimetre.
 pub const RIGID_COMPRESSION: f64 = 1e-4;
 /// Largest pressure over the nominal one \[1\]: foam that is compressed twice as far as at nominal force begins to bottom
 /// out, and its springs are no longer linear.
 pub const MAX_PRESSURE: f64 = 2.0;
-/// Largest value of [`effective_pressure`] [1]. Planning assumes that the nominal pressure acts, whatever the law says.
+/// Largest value of [`effective_pressure`] [1]: planning assumes that the nominal pressure acts,
+/// for every likelihood.
 const MAX_EFFECTIVE: f64 = 0.6;
 /// Ratio of the curvatures below which the smaller one counts as 0 [1].
 const FLAT: f64 = 1e-12;
-/// Most steps of Newton's method; 4 to 8 are usual.
+/// Largest number of steps of Newton's method; 4 to 8 are usual.
 const MAX_STEPS: usize = 60;
 /// Relative step at which Newton's method ends [1].
 const CONVERGED: f64 = 1e-13;
@@ -47,14 +51,14 @@ const GAUSS: [[f64; 2]; 5] = [
     [0.906_179_845_938_664, 0.236_926_885_056_189_08],
 ];
 
-/// Returns the least pressure over the nominal one at which planning counts a place as touched \[1\]: the median e^μ of
-/// the likelihood, at most 0.6.
+/// Returns the least pressure over the nominal pressure at which planning counts a place as touched
+/// \[1\]: the median e^μ of the likelihood, at most 0.6.
 pub fn effective_pressure(likelihood: &LogNormal) -> f64 {
     libm::exp(likelihood.mu).min(MAX_EFFECTIVE)
 }
 
-/// Returns the compression at nominal force \[m\] with which a rectangular pad touches with its whole footprint, in the
-/// better of the two ways to lay its sides along the principal directions.
+/// Returns the compression at nominal force \[m\] with which a rectangular pad touches with its
+/// whole footprint, if its sides lie along the principal directions in the better of the two ways.
 ///
 /// The pressure is least at the corners on bulges and in the middle in hollows, so that Σ κL²/12 over bulges and
 /// Σ |κ|L²/24 over hollows are needed together.
@@ -128,7 +132,7 @@ impl ElasticFoundation {
         Self::new(footprint, interaction.compression_depth_m)
     }
 
-    /// Returns the pressure under the tool if it is pressed onto a surface that bends.
+    /// Returns the pressure under the tool if it is pressed onto a curved surface.
     ///
     /// # Parameters
     /// - `force`: force over the nominal one \[1\], which is the mean of the pressure; above 0.
@@ -175,8 +179,8 @@ impl ElasticFoundation {
         (pressure, self.range(&pressure)[0])
     }
 
-    /// Returns the pressure at nominal force of a tool that is upright on a surface, at a yaw against the axes in
-    /// which `bend` is given \[rad\].
+    /// Returns the pressure of an upright tool at nominal force, at a yaw \[rad\] against the axes
+    /// of `bend`, the second fundamental form \[1/m\].
     pub fn press_upright(&self, bend: &Matrix2<f64>, yaw: f64) -> LocalPressure {
         self.press_turned(bend, &Rotation2::new(yaw)).0
     }
@@ -191,8 +195,9 @@ impl ElasticFoundation {
         self.press_with_least(1.0, Vector2::zeros(), &in_tool)
     }
 
-    /// Returns the size of a bend up to which the pressure of an upright tool at nominal force is at least `least`
-    /// everywhere under the tool: Frobenius norm of the second fundamental form [1/m].
+    /// Returns the curvature up to which the pressure of an upright tool at nominal force is at
+    /// least `least` everywhere under the tool: Frobenius norm of the second fundamental form
+    /// [1/m].
     pub(crate) fn harmless_bend(&self, least: f64) -> f64 {
         // f′(q) = 1 + ½⟨C, S⟩ − ½ qᵀCq ≥ 1 − ½ |C| (|S| + r²), with S the mean square of the places, and C = B/δ.
         let corners = self
@@ -237,9 +242,10 @@ impl ElasticFoundation {
         self.integrate(&PrincipalAxes::of(pressure), pressure.middle)[1]
     }
 
-    /// Returns the width of the strip that the tool treats as it moves along its x axis \[m\]: the lines along x that cross
-    /// the part of its bounds whose pressure reaches `least`. The strip lies about the tool centre point, or at either
-    /// end of the tool if it does not act in the middle; then the width is that of the narrower one.
+    /// Returns the width of the strip that the tool treats as it moves along its x axis \[m\]: the
+    /// lines along x that cross the part of its bounds whose pressure reaches `least`. The strip
+    /// lies about the tool centre point. If the tool does not act in the middle, there is a strip
+    /// at either end, and the result is the width of the narrower one.
     pub fn acting_width(&self, pressure: &LocalPressure, least: f64) -> f64 {
         let corners = self.edges.iter().map(|edge| edge.start);
         let Some(bounds) = Bounds2::from_points(corners) else {

@@ -11,7 +11,7 @@
 //! ([`swept_translation`](super::swept_translation)); a motion that also turns is followed from one contact event to
 //! the next ([`swept_rotation`](super::swept_rotation)). Neither has a step size.
 //!
-//! On a surface that bends, a compliant tool acts only where it presses hard enough
+//! On a curved surface, a compliant tool acts only where its pressure is high enough
 //! ([`EffectModel::with_contact`]).
 
 use super::acting_part::ActingPart;
@@ -26,11 +26,12 @@ use super::{Effect, ElasticFoundation, Fate, LocalPressure, Surface};
 use crate::geometry::{Edge, PlanarPose, Point2, Region, Vector2};
 use rayon::prelude::*;
 
-/// Number of particles near a turning tool from which they are followed on all threads.
+/// Number of particles near a turning tool above which they are followed on all threads.
 const PARALLEL_FROM: usize = 1024;
 /// Turn below which a motion counts as straight if only a part of the tool acts [rad].
 const SMALL_TURN: f64 = 0.1;
-/// Number of particles of a block before a tool from which the model first checks whether any can leave the surface.
+/// Number of particles of a block before a tool above which the model first checks whether any can
+/// leave the surface.
 const CHECKED_FROM: usize = 8;
 
 /// Numbers of particles that one motion absorbed, displaced or lost.
@@ -138,11 +139,11 @@ impl EffectModel {
         }
     }
 
-    /// Returns the model of a tool that acts only where it presses hard enough on a surface that bends. On a plane it
-    /// acts with its whole footprint.
+    /// Returns the model of a tool that acts on a curved surface only where its pressure is high
+    /// enough. On a plane it acts with its whole footprint.
     ///
-    /// While the tool turns, only the part acts that presses hard enough at every yaw, so that the result depends
-    /// neither on how a motion is split nor on where.
+    /// While the tool turns, only the part acts whose pressure is high enough at every yaw. The
+    /// result therefore depends neither on the place of the motion nor on how it is split.
     ///
     /// # Parameters
     /// - `foundation`: the foundation of the whole tool; the footprint of the model may be a part of it.
@@ -224,15 +225,16 @@ impl EffectModel {
         Self { film, ..self }
     }
 
-    /// Sets the pressure under the tool in the motions that follow: only the part that it presses acts. `None` if the
-    /// whole footprint acts. Motions that turn by less than 6° then count as straight. While the tool turns more, the whole
-    /// footprint acts.
+    /// Sets the pressure under the tool for the following motions: only the part under pressure
+    /// acts. `None` if the whole footprint acts. Motions that turn by less than [`SMALL_TURN`] then
+    /// count as straight; during larger turns, the whole footprint acts.
     pub(crate) fn set_pressure(&mut self, pressure: Option<LocalPressure>) {
         self.pressure = pressure;
     }
 
-    /// Ends the contact. What the tool has carried since the last motion began comes to rest: spread over its heap, or
-    /// exactly where the motion left it if there is no heap. Where the surface is too steep for it, it slides.
+    /// Ends the contact. The dirt that the tool has carried since the last motion began comes to
+    /// rest: spread over its heap, or, without a heap, exactly where the motion left it. If the
+    /// surface is too steep for the dirt, it slides.
     pub fn lift_off(&mut self, field: &mut ParticleField, surface: &Surface) {
         if let Some(heap) = &mut self.heap {
             heap.come_to_rest(field, surface);
@@ -266,7 +268,8 @@ impl EffectModel {
         self.apply_where(field, surface, motion, |_, _| true)
     }
 
-    /// Applies a motion in contact to the particles that respond to it.
+    /// Applies a motion in contact to the particles that respond to it, and returns the numbers of
+    /// affected ones.
     ///
     /// `responds` is called once for each particle that the motion would affect. It gets the particle's index in the
     /// original distribution and its place before the motion (surface frame \[m\]). The order of the calls depends on the
@@ -486,8 +489,8 @@ impl EffectModel {
     }
 }
 
-/// Whether everything that the footprint carries to a pose stays on the surface: the surface is convex, and the
-/// footprint with its clearance lies within it.
+/// Whether all dirt that the footprint carries to a pose stays on the surface: the surface is
+/// convex, and the footprint with its clearance lies within it.
 fn is_inside(surface: &Surface, footprint: &[Edge], at: &PlanarPose) -> bool {
     let (sin, cos) = at.heading.sin_cos();
     surface.outline.is_convex()
@@ -526,7 +529,8 @@ impl MotionEffect {
     }
 }
 
-/// Returns where a particle ends that is carried along `way`, which may cross the border of the surface.
+/// Returns the end of a particle that is carried along `way`, which may cross the border of the
+/// surface.
 fn landing(surface: &Surface, way: &[Point2]) -> Outcome {
     let off = way.windows(2).find_map(|leg| {
         let edge = surface.exit_edge(leg[0], leg[1])?;

@@ -1,4 +1,4 @@
-//! Particles in blocks of neighbours, so that a motion meets only the blocks near it.
+//! Particles in blocks of neighbours, so that a motion examines only the blocks near it.
 
 use super::{Fate, ParticleDistribution, Surface};
 use crate::geometry::{Bounds2, Point2, Vector2};

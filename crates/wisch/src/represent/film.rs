@@ -19,15 +19,15 @@ use crate::geometry::{Point2, Vector2, Vector3};
 
 /// Acceleration of gravity [m/s²].
 const GRAVITY: f64 = 9.81;
-/// Largest Reynolds number ρ u h/μ up to which a film is taken to run by its viscosity alone \[1\]: waves on a thicker film
-/// carry part of it. The waves on a thicker film run as fast as on one of this number, so that its front runs at most three
-/// times as fast.
+/// Largest Reynolds number ρ u h/μ up to which a film runs by its viscosity alone \[1\]; the waves
+/// on a thicker film carry part of it. They are assumed to run as fast as the waves on a film of
+/// this number, so that the front runs at most three times as fast.
 pub const MAX_REYNOLDS: f64 = 30.0;
 /// Number of successive particles over which the thickness is averaged.
 const AVERAGED: usize = 8;
 /// Width of the columns into which a film is divided, over the mean distance of its particles [1].
 const COLUMN: f64 = 4.0;
-/// Most steps of Newton's method, which converges from above.
+/// Largest number of steps of Newton's method, which converges from above.
 const MAX_NEWTON: usize = 30;
 
 /// A film of liquid on a plane.
@@ -41,7 +41,7 @@ pub struct FilmFlow {
 struct Slope {
     /// c = ρ g sin θ / 3μ [1/(m s)].
     rate: f64,
-    /// Thickness beyond which the waves on a film run no faster [m].
+    /// Thickness above which the waves on a film run no faster [m].
     thickest: f64,
     /// Thickness that adheres [m].
     adhering: f64,
@@ -61,8 +61,8 @@ struct FilmWave {
 type Along = (f64, usize);
 
 impl Liquid {
-    /// Returns the mean speed of a film of a thickness \[m\] on a slope of an angle \[rad\], at the most that of
-    /// [`MAX_REYNOLDS`] [m/s].
+    /// Returns the mean speed [m/s] of a film of a thickness \[m\] on a slope of an angle \[rad\],
+    /// at most the speed at [`MAX_REYNOLDS`].
     ///
     /// ```
     /// use wisch::represent::Liquid;
@@ -187,9 +187,11 @@ impl FilmFlow {
     }
 }
 
-/// Returns the fate of a particle that runs over a border between two places; `None` if it crosses none.
+/// Returns the fate of a particle that runs over a border between two places of the chart \[m\];
+/// `None` if it crosses no border.
 ///
-/// It has left over that edge if dirt may leave there. Over another edge it has fallen, as no tool pushed it.
+/// Over an edge over which dirt may be skimmed, the particle leaves the surface. Over another edge
+/// it falls ([`Fate::FALLEN`]), because no tool pushed it.
 pub fn run_off(surface: &Surface, from: Point2, to: Point2) -> Option<Fate> {
     let edge = surface.exit_edge(from, to)?;
     Some(match u16::try_from(edge) {
@@ -204,8 +206,8 @@ pub fn mean_distance(surface: &Surface, count: usize) -> f64 {
 }
 
 impl Slope {
-    /// Returns the film upstream of the last particle of a column. At the top of a film there are few particles, which are taken
-    /// to lie over the usual length.
+    /// Returns the film upstream of the last particle of a column. At the top of a film there are
+    /// few particles; they are assumed to lie over the usual length.
     ///
     /// # Parameters
     /// - `volume`: volume of each particle, per width [m²].

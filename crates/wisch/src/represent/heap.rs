@@ -8,8 +8,9 @@ use super::{ParticleField, Surface, ToolMotion};
 use crate::geometry::{Pose, Vector2, Vector3};
 use crate::random::keyed_uniform;
 
-/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's collision sphere \[1\].
-/// Simulated crumbs take this space before a sponge that moves at an angle.
+/// Usual depth of a heap of all particles before a tool, over the radius r_s of the tool's
+/// collision sphere \[1\]. Simulated crumbs occupy this space before a sponge that moves at an
+/// angle to its broad side.
 pub const HEAP_DEPTH: f64 = 0.35;
 
 /// Returns the depth \[m\] of a heap that holds this share of the particles, if a heap of all of them has `depth_of_all`
@@ -22,7 +23,8 @@ pub fn heap_depth(depth_of_all: f64, share: f64) -> f64 {
 /// Friction coefficient of dirt on a surface [1]: dirt rests on a slope of up to 42°. An assumption; simulated grains
 /// have 0.8.
 const FRICTION: f64 = 0.9;
-/// Largest share of this friction that a slope takes up [1]; a steeper slope sheds its dirt by itself.
+/// Largest share of this friction that a slope takes up [1]; on a steeper slope, dirt slides by
+/// itself.
 const MAX_SHEDDING: f64 = 0.8;
 
 /// Returns how much farther down a slope a carried heap comes to rest, as a multiple of its depth, in the surface frame

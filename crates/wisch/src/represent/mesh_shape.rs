@@ -1,4 +1,4 @@
-//! A surface of a mesh: its chart, and the mesh as it was given.
+//! The shape of a surface that is a mesh: its chart, and the mesh as it was given.
 
 use super::LeastRadii;
 use crate::geometry::{
@@ -39,7 +39,7 @@ pub struct MeshShape {
     patch: Option<PatchOfMesh>,
 }
 
-/// Which patch of a divided mesh a shape is.
+/// The patch of a divided mesh that a shape is.
 #[derive(Clone)]
 pub struct PatchOfMesh {
     /// Index among all patches.
@@ -120,13 +120,13 @@ impl MeshShape {
         &self.mesh
     }
 
-    /// Which patch of a divided mesh the surface is; `None` of a whole mesh.
+    /// The patch of a divided mesh that the surface is; `None` for a whole mesh.
     pub fn patch(&self) -> Option<&PatchOfMesh> {
         self.patch.as_ref()
     }
 
-    /// The digest of the mesh from which the shape was made, in its own frame, see [`Mesh::digest`]; of a patch, also of its
-    /// index.
+    /// The digest of the mesh from which the shape was made, in the frame of the mesh, see
+    /// [`Mesh::digest`]; for a patch, its index is included.
     pub fn digest(&self) -> u128 {
         self.digest
     }
@@ -148,7 +148,8 @@ impl MeshShape {
         frame(&self.sheet, place, height)
     }
 
-    /// The bend to which a tool lies worst \[1/m\]: a tool fits a hollow of half the radius of a bulge as well.
+    /// The bend to which a tool fits worst \[1/m\]: a bulge counts as much as a hollow of half its
+    /// radius.
     pub fn tightest_bend(&self) -> Matrix2<f64> {
         self.tightest
     }
@@ -158,7 +159,8 @@ impl MeshShape {
         LeastRadii::from_bends(self.bends().map(|(_, bend)| bend))
     }
 
-    /// Returns the angle by which the normal turns on the way between two places \[rad\]: of an arc that turns back, the sum.
+    /// Returns the angle by which the normal turns on the path between two places \[rad\]; for an
+    /// arc that turns back, the sum of all turns.
     pub(super) fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         let along = to - from;
         let parts = (along.norm() / TURN_STEP).ceil().max(1.0) as usize;
@@ -216,7 +218,7 @@ fn frame(sheet: &Sheet, place: Point2, height: f64) -> Pose {
     )
 }
 
-/// Returns a ring without corners that are not needed (Ramer, 1972).
+/// Returns a ring without needless corners (Ramer, 1972).
 fn simplify_ring(ring: &[Point2]) -> Vec<Point2> {
     let farthest = |from: &Point2| {
         let distances = ring.iter().map(|p| (p - from).norm_squared()).enumerate();
@@ -262,8 +264,8 @@ fn find_tightest(samples: &[(Point2, Matrix2<f64>)]) -> Matrix2<f64> {
     tightest.unwrap_or_else(Matrix2::zeros)
 }
 
-/// Returns the bend at the first vertex of each square cell of the chart, of those on the surface: the chart of a patch
-/// reaches beyond its seams.
+/// Returns the bend at the first vertex in each square cell of the chart. Only vertices on the
+/// surface count, because the chart of a patch reaches beyond its seams.
 fn sample(sheet: &Sheet, cell: f64) -> Vec<(Point2, Matrix2<f64>)> {
     let mut found = BTreeMap::new();
     for vertex in sheet.vertices().filter(|vertex| vertex.area > 0.0) {

@@ -1,4 +1,4 @@
-//! Task performance: the share of the particles that are where the action wants them; (4), (5), (6).
+//! Task performance: the share of the particles that meet the goal of the action; (4), (5), (6).
 
 use super::{Action, Fate, ParticleDistribution, Surface};
 use crate::geometry::Point2;
@@ -33,7 +33,7 @@ pub enum GoalState {
 
 /// Tolerance of a coat as a share of the target thickness \[1\].
 pub const THICKNESS_TOLERANCE: f64 = 0.2;
-/// Share of a pass from which it counts as one [1].
+/// Share of a pass above which it counts as a whole pass [1].
 const COUNTED_PASS: f64 = 0.5;
 
 impl GoalState {
@@ -72,8 +72,8 @@ impl GoalState {
         (wanted - passes).round().max(0.0) as u32
     }
 
-    /// Whether a particle misses the goal for good: it went over a wrong edge, or its coat is too thick. Dirt that fell by its own
-    /// weight is not lost, as no tool moved it.
+    /// Whether a particle can never meet the goal: it went over a wrong edge, or its coat is too
+    /// thick. Dirt that fell by its own weight is not lost, because no tool moved it.
     pub fn is_lost(&self, fate: Fate) -> bool {
         match (self, fate) {
             (_, Fate::OffSurface { .. }) => fate != Fate::FALLEN,
@@ -88,7 +88,7 @@ impl GoalState {
         }
     }
 
-    /// Whether a particle is where the goal wants it; `position` in the surface frame \[m\].
+    /// Whether a particle meets the goal; `position` in the surface frame \[m\].
     pub fn is_met_by(&self, position: Point2, fate: Fate, surface: &Surface) -> bool {
         match (self, fate) {
             (Self::Absorbed, Fate::Absorbed) => true,

@@ -3,12 +3,13 @@
 use super::{GrainSize, SurfaceShape};
 use crate::geometry::{Point2, Point3, Polygon, Pose, Region};
 
-/// Most detections that an executor may return for one observation.
+/// Largest number of detections that an executor may return for one observation.
 pub const MAX_DETECTIONS: usize = 100_000;
 
 /// Detections of dirt on a surface at one moment, in the chart of the believed surface.
 ///
-/// Nothing is known about [`Self::hidden`]. Anywhere else, a particle without a detection was missed or is not there.
+/// Nothing is known about dirt in [`Self::hidden`]. Elsewhere, a particle without a detection was
+/// missed or is absent.
 ///
 /// ```
 /// use wisch::geometry::Point2;
@@ -18,9 +19,9 @@ pub const MAX_DETECTIONS: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Observation {
-    /// Places of detected dirt \[m\], each once.
+    /// Places of detected dirt \[m\], one per detection.
     pub detections: Vec<Point2>,
-    /// Occluded area, such as that behind an arm.
+    /// Occluded area in the same chart \[m\], such as the area behind an arm.
     pub hidden: Region,
 }
 

@@ -2,7 +2,8 @@
 
 use crate::geometry::Point2;
 
-/// Most particles of a distribution; planning and prediction take about 300 bytes for each.
+/// Largest number of particles of a distribution; planning and prediction take about 300 bytes for
+/// each.
 pub const MAX_PARTICLES: usize = 5_000_000;
 
 /// Fate of a particle: on the surface, absorbed by a tool, off the surface, or treated as a place of the surface. Only
@@ -127,7 +128,8 @@ impl ParticleDistribution {
         })
     }
 
-    /// Returns particles with their fates; the position of one that is gone is where it went \[m\].
+    /// Returns particles with their fates. The position of a particle that is gone is its last
+    /// place \[m\].
     ///
     /// # Errors
     /// As [`ParticleDistribution::new`].
@@ -171,7 +173,8 @@ impl ParticleDistribution {
         self.fate.is_empty()
     }
 
-    /// Position of particle `index` in the surface frame \[m\]; for a particle that is gone, where it went.
+    /// Position of particle `index` in the surface frame \[m\]; for a particle that is gone, its
+    /// last place.
     pub fn position(&self, index: usize) -> Point2 {
         Point2::new(self.x[index], self.y[index])
     }

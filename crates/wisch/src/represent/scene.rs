@@ -9,9 +9,9 @@ pub enum ScenePart {
     Obstacle,
     /// The object whose face is the target surface: an obstacle for the robot, touched by the tool.
     Carrier,
-    /// A picture of the robot at its place.
+    /// A picture of the robot at its pose; no obstacle.
     Robot,
-    /// A picture of the tool.
+    /// A picture of the tool; no obstacle.
     Tool,
 }
 

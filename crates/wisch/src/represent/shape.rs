@@ -41,9 +41,9 @@ pub enum SurfaceShape {
 /// Least radii of a shape \[m\]; infinite where it has no such bend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LeastRadii {
-    /// Of the bulges.
+    /// Least radius of the bulges \[m\].
     pub bulge: f64,
-    /// Of the hollows.
+    /// Least radius of the hollows \[m\].
     pub hollow: f64,
 }
 
@@ -124,7 +124,8 @@ impl SurfaceShape {
 
     /// Returns the place and the height of a point in the frame of the surface: the inverse of [`Self::place`].
     ///
-    /// A point on the axis of a cylinder or a cone has the foot φ = 0. Points beyond the apex of a cone have it as foot.
+    /// A point on the axis of a cylinder or a cone has the foot φ = 0. Points beyond the apex of a
+    /// cone have the apex as foot.
     pub fn chart(&self, point: Point3) -> ChartPoint {
         match self {
             Self::Plane => ChartPoint {
@@ -156,8 +157,9 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the place of the surface that is seen along the z of its frame through a point of the frame's xy plane \[m\];
-    /// `None` where there is none. Of a cylinder or a cone it lies on the side of the chart's origin.
+    /// Returns the place of the surface below a point of the frame's xy plane \[m\], along the z
+    /// axis of the frame; `None` if there is none. On a cylinder or a cone, the place lies on the
+    /// side of the chart's origin.
     ///
     /// ```
     /// use std::f64::consts::FRAC_PI_2;
@@ -195,8 +197,8 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the second fundamental form at a place, in the axes of the chart \[1/m\], positive where the surface bulges
-    /// towards the tool; of a cylinder, the same everywhere.
+    /// Returns the second fundamental form at a place, in the axes of the chart \[1/m\], positive
+    /// where the surface bulges towards the tool; on a cylinder, it is the same everywhere.
     pub fn bend(&self, place: Point2) -> Matrix2<f64> {
         match self {
             Self::Plane => Matrix2::zeros(),
@@ -209,8 +211,8 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the angle about the axis of a cylinder or a cone from the chart's origin to a place \[rad\]; 0 on another
-    /// shape.
+    /// Returns the angle about the axis of a cylinder or a cone from the chart's origin to a place
+    /// \[rad\]; 0 on other shapes.
     pub fn roll(&self, place: Point2) -> f64 {
         match self {
             Self::Plane | Self::Mesh(_) => 0.0,
@@ -222,7 +224,8 @@ impl SurfaceShape {
         }
     }
 
-    /// Returns the angle by which the normal turns on the straight way between two places of the chart \[rad\].
+    /// Returns the angle by which the normal turns on the straight path between two places of the
+    /// chart \[rad\].
     pub fn turn_between(&self, from: Point2, to: Point2) -> f64 {
         match self {
             Self::Plane => 0.0,

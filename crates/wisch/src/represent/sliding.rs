@@ -2,8 +2,8 @@
 //!
 //! A particle rests while tan θ is at most the coefficient of friction at rest, where θ is the angle between the normal
 //! and the vertical. Otherwise it takes the steepest way down until tan θ is at most the coefficient of sliding friction,
-//! or over a border. Its inertia is neglected, so that a slide has a path but no duration. Where the surface faces down,
-//! the particle falls.
+//! or over a border. Its inertia is neglected, so a slide has a path but no duration. If the
+//! surface faces down, the particle falls.
 //!
 //! The path is a straight line of the chart on a plane and on a cylinder whose axis is level. On other shapes it is
 //! integrated by the method of Runge and Kutta, on a mesh over its smoothed normals.
@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Step at which the path of a sliding particle is checked for objects, and at which it is integrated [m].
 const STEP: f64 = 0.002;
-/// Most steps along a straight path, and along an integrated one.
+/// Largest number of steps along a straight path, and along an integrated path.
 const MAX_STEPS: f64 = 500.0;
 const MAX_INTEGRATED: usize = 20_000;
 /// Step below which a path that turns upwards has reached the bottom of a valley [m].
@@ -108,7 +108,7 @@ pub struct DirtSlide {
 pub struct SlideEnd {
     /// Place in the chart, beyond the border if the particle left the surface \[m\].
     pub place: Point2,
-    /// Whether the particle is still on the surface, or where it left it.
+    /// Whether the particle is still on the surface, and if not, over which edge it left.
     pub fate: Fate,
     /// Length of the path on the surface \[m\].
     pub length: f64,
@@ -144,7 +144,8 @@ impl Pull {
 }
 
 impl DirtSlide {
-    /// Returns how dirt of this friction slides on a surface on which objects occupy an area. Objects stop it on planes only.
+    /// Returns the sliding of dirt with this friction on a surface of which objects occupy an area.
+    /// Objects stop the dirt on planes only.
     pub const fn new(friction: DirtFriction, occupied: OccupiedArea) -> Self {
         Self { friction, occupied }
     }
@@ -208,7 +209,8 @@ impl DirtSlide {
             .collect()
     }
 
-    /// Straight down to the first object, border or hole; `None` if an object stops the particle where it is.
+    /// Returns the end of a straight path down to the first object, border or hole; `None` if an
+    /// object stops the particle where it is.
     fn find_end_on_plane(
         &self,
         surface: &Surface,
@@ -257,7 +259,7 @@ impl DirtSlide {
         })
     }
 
-    /// Follows the steepest way down.
+    /// Returns the end of the steepest path down.
     fn integrate(&self, surface: &Surface, from: Point2) -> SlideEnd {
         let height = |place| surface.world_from_place(place, 0.0).translation.z;
         let (mut at, mut length, mut step) = (from, 0.0, STEP);
@@ -331,7 +333,7 @@ impl SlideEnd {
     }
 }
 
-/// Returns the place at a distance on the steepest way down [m] (Kutta, 1901).
+/// Returns the place at a distance [m] on the steepest path down (Kutta, 1901).
 fn descend(surface: &Surface, from: Point2, distance: f64) -> Point2 {
     let direction = |place| Pull::at(surface, place).direction();
     let first = direction(from);
@@ -341,7 +343,8 @@ fn descend(surface: &Surface, from: Point2, distance: f64) -> Point2 {
     from + (first + 2.0 * (second + third) + fourth) * (distance / 6.0)
 }
 
-/// Returns how far a straight move goes until it meets the border of the surface or of a hole [m].
+/// Returns the length of a straight move up to the border of the surface or of a hole [m]; `None`
+/// if it meets none.
 pub(super) fn find_border(surface: &Surface, from: Point2, direction: Vector2) -> Option<f64> {
     let leaves = |edge: Edge| {
         let border = edge.end - edge.start;
@@ -373,7 +376,8 @@ pub(super) fn find_stop(
     Some(way(first - 1))
 }
 
-/// Lets dirt slide on a surface that is too steep for it. `None` if no particle slides.
+/// Lets dirt slide on a surface that is too steep for it, and returns the dirt after the slide.
+/// `None` if no particle slides.
 ///
 /// Particles that are already gone stay as they are.
 pub fn slide_down(

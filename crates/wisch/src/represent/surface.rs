@@ -5,8 +5,8 @@ use crate::geometry::{Edge, Mesh, MeshError, Point2, Point3, Polygon, Pose, Vect
 use nalgebra::Matrix2;
 use std::f64::consts::PI;
 
-/// A target surface: an outline in a chart, and where the chart lies in space. The z axis of its frame points out of the
-/// surface at the chart's origin.
+/// A target surface: an outline in a chart, and the place of the chart in space. The z axis of its
+/// frame points out of the surface at the chart's origin.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Name in the knowledge base and in PDDL goals.
@@ -22,7 +22,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Returns a plane over no edge of which dirt may be skimmed.
+    /// Returns a plane without edges over which dirt may be skimmed.
     ///
     /// # Parameters
     /// - `outline`: its outline in the surface frame \[m\].
@@ -67,9 +67,9 @@ impl Surface {
         Pose::from_parts(nalgebra::Translation3::new(place.x, place.y, height), turn)
     }
 
-    /// Returns places with the second fundamental forms that occur there, in the axes of the chart \[1/m\]: none of a
-    /// plane, one of a cylinder, the strongest and the weakest of a cone, and those about half a tool's radius apart of a
-    /// mesh.
+    /// Returns places with their second fundamental forms, in the axes of the chart \[1/m\]. A
+    /// plane has none, a cylinder one, a cone the strongest and the weakest. A mesh has those of
+    /// places about half a tool's radius apart.
     pub fn bends(&self) -> Vec<(Point2, Matrix2<f64>)> {
         let with_bend = |place: Point2| (place, self.shape.bend(place));
         match &self.shape {
@@ -87,8 +87,8 @@ impl Surface {
         }
     }
 
-    /// Returns the bend to which a tool lies worst, in the axes of the chart \[1/m\]: a tool fits a hollow of half the
-    /// radius of a bulge as well.
+    /// Returns the bend to which a tool fits worst, in the axes of the chart \[1/m\]: a bulge
+    /// counts as much as a hollow of half its radius.
     pub fn tightest_bend(&self) -> Matrix2<f64> {
         match &self.shape {
             SurfaceShape::Mesh(mesh) => mesh.tightest_bend(),
@@ -134,7 +134,7 @@ impl Surface {
         places.into_iter().map(angle).fold(0.0, f64::max)
     }
 
-    /// Returns why the chart does not fit its shape, if it does not.
+    /// Returns the reason why the chart does not fit its shape, if there is one.
     pub fn shape_fault(&self) -> Option<ShapeFault> {
         let (shape, radius, axis) = match self.shape {
             SurfaceShape::Plane | SurfaceShape::Mesh(_) => return None,
@@ -159,7 +159,8 @@ impl Surface {
         })
     }
 
-    /// Returns why the chart does not fit a cone, but for the angle of its corners about the axis.
+    /// Returns the reason why the chart does not fit a cone, except for the angle of its corners
+    /// about the axis.
     fn cone_fault(&self, cone: &Cone) -> Option<ShapeFault> {
         let [least, most] = HALF_ANGLE_RANGE;
         let half_angle = cone.half_angle;
@@ -212,7 +213,7 @@ fn nearest_on_border(outline: &Polygon, point: Point2) -> Option<Point2> {
     })
 }
 
-/// Why a chart does not fit its shape.
+/// The reason why a chart does not fit its shape.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ShapeFault {
     /// The radius is out of its range, or the axis not finite.
@@ -249,7 +250,7 @@ pub enum ShapeFault {
     },
 }
 
-/// What lies at a point of the surface's plane.
+/// The kind of place at a point of the surface's plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ground {
     /// The surface.
@@ -263,7 +264,7 @@ pub enum Ground {
 /// A part of a straight move over the plane of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoveSegment {
-    /// What lies under the part.
+    /// The kind of place under the part.
     pub ground: Ground,
     /// Begin and end of the part, as shares of the move \[1\].
     pub shares: [f64; 2],
@@ -276,7 +277,8 @@ pub(super) const UPRIGHT: f64 = 1e-3;
 const LEAST_PART: f64 = 1e-6;
 
 impl Surface {
-    /// Returns what lies at a point of the plane (surface frame \[m\]). A point on a border belongs to either side.
+    /// Returns the kind of place at a point of the plane (surface frame \[m\]). A point on a border
+    /// belongs to either side.
     pub fn ground(&self, point: Point2) -> Ground {
         let ring = |ring: &[Point2]| Polygon::new(ring.to_vec(), Vec::new()).contains(point);
         if self.outline.contains(point) {
@@ -331,8 +333,9 @@ impl Surface {
         parts
     }
 
-    /// Whether the surface carries a tool that is pressed along a straight move. The move crosses no hole, and is
-    /// beyond the border only before it first reaches the surface and after it has left it for good.
+    /// Whether the surface carries a tool that is pressed along a straight move (surface frame
+    /// \[m\]). It does if the move crosses no hole, and is beyond the border only before it first
+    /// reaches the surface and after it has finally left it.
     pub fn carries_between(&self, from: Point2, to: Point2) -> bool {
         if self.outline.is_convex() {
             return true;
@@ -346,8 +349,9 @@ impl Surface {
         })
     }
 
-    /// Whether a point that moves straight crosses no hole, and is never farther beyond the outer border than `overhang`
-    /// \[m\]: a tool whose centre moves so is carried by the rest of its footprint.
+    /// Whether a point that moves straight (surface frame \[m\]) crosses no hole, and is never
+    /// farther beyond the outer border than `overhang` \[m\]. During such a move of a tool's
+    /// centre, the rest of its footprint supports the tool.
     ///
     /// ```
     /// use wisch::geometry::{Point2, Polygon, Pose, Vector2};
@@ -383,7 +387,8 @@ impl Surface {
         })
     }
 
-    /// Returns the edge over which a straight move from `from` (on the surface) to `to` first leaves the surface.
+    /// Returns the edge over which a straight move from `from` (on the surface) to `to` first
+    /// leaves the surface (surface frame \[m\]).
     ///
     /// A move that ends inside but crosses a notch has left the surface.
     pub fn exit_edge(&self, from: Point2, to: Point2) -> Option<usize> {
@@ -447,7 +452,8 @@ impl Surface {
 const SLOPES_OF_EDGE: u32 = 64;
 /// Largest distance of a facet from the surface that it replaces [m].
 const FACET_ERROR: f64 = 1e-4;
-/// The same over a mesh, where the tightest bend counts everywhere [m], and the range of the facets' lengths [m].
+/// Largest distance of a facet from a mesh, where the tightest bend counts everywhere [m], and the
+/// range of the facets' lengths [m].
 const MESH_FACET_ERROR: f64 = 5e-4;
 const LEAST_FACET: f64 = 0.03;
 const MOST_FACET: f64 = 0.1;

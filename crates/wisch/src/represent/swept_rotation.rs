@@ -17,9 +17,10 @@ const SHORTEST: f64 = 1e-13;
 /// Shortest part of the motion that is examined for sliding, as a share of the motion [1]; it counts as its middle
 /// does.
 const SHORTEST_SLIDE: f64 = 1e-7;
-/// Most Newton steps towards an entry; they start within a fraction of a millimetre of it.
+/// Largest number of Newton steps towards an entry; they start within a fraction of a millimetre of
+/// it.
 const MAX_REFINEMENTS: usize = 8;
-/// Most entries and releases of one particle in one motion.
+/// Largest number of entries and releases of one particle in one motion.
 const MAX_EVENTS: usize = 64;
 /// Largest rotation between two checks of sliding, before its end is bisected [rad].
 const SLIDING_TURN: f64 = 0.02;
@@ -309,8 +310,9 @@ impl<'a> SweptRotation<'a> {
             })
     }
 
-    /// Returns where the boundary goes on to carry a particle that an earlier motion left at it. Without it, the particle
-    /// would rest until the boundary has passed the clearance, which takes the longer the more slowly it advances.
+    /// Returns the touch with which the boundary resumes carrying a particle that an earlier motion
+    /// left at it. Without it, the particle would rest until the boundary has passed the clearance;
+    /// the slower the boundary, the longer that takes.
     fn keep_touch(&self, point_in_tool: Point2) -> Option<Touch<'a>> {
         let point = Edge {
             start: point_in_tool,

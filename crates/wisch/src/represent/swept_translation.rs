@@ -1,4 +1,4 @@
-//! Chords of a translating footprint along the motion, and the particles that they meet.
+//! Chords of a translating footprint along the motion, and the particles that they reach.
 
 use super::contact::PositiveRange;
 use super::field::BLOCK;
@@ -32,7 +32,7 @@ pub(super) struct SweptTranslation {
     /// How far each met particle is carried, or the tool slides over it [m].
     extent: [f64; BLOCK],
     is_met: [bool; BLOCK],
-    /// Whether each particle is met.
+    /// Indices in the block of the met particles, in ascending order.
     met: [u8; BLOCK],
 }
 
@@ -153,8 +153,9 @@ impl SweptTranslation {
         }
     }
 
-    /// The same for a tool of which only the part acts whose pressure reaches a limit. `part`: the pressure (tool frame)
-    /// and the limit at the place of a particle; `None` where the whole footprint acts.
+    /// Does the same as [`Self::find_met`] for a tool of which only the part acts whose pressure
+    /// reaches a limit. `part`: the pressure (tool frame) and the limit at the place of a particle;
+    /// `None` where the whole footprint acts.
     pub(super) fn find_met_by_part(
         &mut self,
         (x, y): (&[f64], &[f64]),

@@ -1,4 +1,4 @@
-//! A task with all names resolved, all values checked and in SI units.
+//! A task: all names are resolved, all values checked and converted to SI units.
 
 use super::surface::UPRIGHT;
 use super::{
@@ -23,8 +23,8 @@ pub struct Tool {
     pub rotation_about_normal: AngleRange,
     /// Permitted tilt; `None` for a tool that stays upright.
     pub tilt: Option<TiltFreedom>,
-    /// How the leading hand holds it; `None` if neither task nor knowledge base declares it, so that the robot decides
-    /// ([`Workcell::mount`](crate::follow::Workcell::mount)).
+    /// How the leading hand holds the tool. `None` if neither task nor knowledge base declares it;
+    /// then the robot determines it ([`Workcell::mount`](crate::follow::Workcell::mount)).
     pub mount: Option<Mount>,
     /// Grip of a second hand, if there is one.
     pub second_grip: Option<SecondGrip>,
@@ -37,7 +37,7 @@ impl Tool {
     /// - `size`: depth along the motion, width across it, and thickness \[m\].
     ///
     /// # Errors
-    /// A size that no mesh has.
+    /// [`MeshError`] if a side of `size` is not positive and finite.
     pub fn pad(name: impl Into<String>, size: Vector3) -> Result<Self, MeshError> {
         let face = Vector2::new(size.x, size.y);
         let tool_from_mesh = Pose::translation(0.0, 0.0, size.z / 2.0);
@@ -115,7 +115,7 @@ pub struct Task {
     pub mobility: DirtMobility,
     /// Press force, controller settings and likelihood of this tool on this medium and surface.
     pub interaction: Interaction,
-    /// Believed places of the dirt.
+    /// Estimated places of the dirt.
     pub particles: ParticleDistribution,
     /// n_goal of a collect, in the surface frame \[m\]; `None` lets the planner choose.
     pub collect_goal: Option<Point2>,
@@ -128,12 +128,12 @@ pub struct Task {
 }
 
 impl Task {
-    /// Returns a task with defaults for all other fields: the tool presses as [`Interaction::assume`] says, the scene is empty,
-    /// the planner chooses where to collect, and the tool starts at the middle of the surface. Every field can be set
-    /// afterwards.
+    /// Returns a task with defaults for all other fields: the interaction of
+    /// [`Interaction::assume`], an empty scene, a goal that the planner chooses, and the middle of
+    /// the surface as the start of the tool. Every field can be set afterwards.
     ///
     /// # Parameters
-    /// - `particles`: where the dirt is believed to lie, in the surface frame \[m\].
+    /// - `particles`: estimated places of the dirt, in the surface frame \[m\].
     ///
     /// ```
     /// use wisch::prelude::*;
@@ -222,8 +222,8 @@ impl Task {
         }
     }
 
-    /// Returns the effect model by which plans are predicted: on a surface that bends, the tool acts only where it presses
-    /// hard enough at nominal force.
+    /// Returns the effect model with which plans are predicted: on a curved surface, the tool acts
+    /// only where its pressure at nominal force is high enough.
     ///
     /// # Parameters
     /// - `footprint`: the footprint that counts, at most that of the task's tool (tool frame \[m\]).
@@ -239,7 +239,8 @@ impl Task {
         }
     }
 
-    /// Force of the surface on a tool that presses as the task demands, in the axes of the world \[N\].
+    /// Force of the surface on a tool that presses with the task's nominal force, in the axes of
+    /// the world \[N\].
     pub fn surface_reaction(&self) -> Vector3 {
         self.surface.world_from_surface * Vector3::z() * self.interaction.contact_force()
     }
@@ -262,8 +263,8 @@ impl Task {
         ))
     }
 
-    /// Returns the area that the obstacles occupy on the surface. No obstacle stands on a curved surface, as the planner
-    /// refuses such scenes.
+    /// Returns the area that the obstacles occupy on the surface. It is empty on a curved surface,
+    /// because the planner refuses obstacles there.
     pub fn occupied_area(&self) -> OccupiedArea {
         if !self.surface.shape.is_plane() {
             return OccupiedArea::from_scene(&[]);

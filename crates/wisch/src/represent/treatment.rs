@@ -13,7 +13,7 @@ pub enum Treatment {
     Polish {
         /// Passes over each place.
         passes: u32,
-        /// Most passes over any place, over all rounds.
+        /// Largest number of passes over any place, over all rounds.
         max_passes: u32,
         /// Coefficient k_p of Preston's law [1/Pa]: removed depth over pressure and travel (Preston 1927).
         preston: Option<f64>,
@@ -93,8 +93,9 @@ impl Treatment {
         Some(above as f64 / places.len().max(1) as f64)
     }
 
-    /// Whether more of the places than 1 − `target` were polished more often than the treatment allows, so that the goal is not
-    /// met; on average over possible states of the surface, each with its weight.
+    /// Whether more of the places than 1 − `target` were polished more often than the treatment
+    /// allows, so that the goal is not met. The share is the mean over possible states of the
+    /// surface, each with its weight.
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -122,7 +123,8 @@ impl Treatment {
 /// object.
 ///
 /// # Errors
-/// A count outside its limits, or cells so coarse for the bounding box that none is free.
+/// [`SourceError::Count`] for a count outside its limits, or an error for cells so coarse that none
+/// is free.
 ///
 /// ```
 /// use wisch::geometry::{Polygon, Vector2};

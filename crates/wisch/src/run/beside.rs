@@ -5,10 +5,10 @@ use crate::geometry::{Bounds2, Point2};
 use crate::interpret::Doubt;
 use crate::represent::{Observation, Surface};
 
-/// Largest distance beside the outline at which a detection counts as dirt at the edge [m]: the error of the surface's
-/// pose. A larger error of the camera extends it.
+/// Largest distance from the outline at which a detection beside the surface counts as dirt at the
+/// edge [m]: the error of the surface's pose. The error of the camera is added if it is larger.
 const AT_EDGE: f64 = 0.03;
-/// The same in a first observation without a detection on the surface [m].
+/// Largest such distance in a first observation without a detection on the surface [m].
 const ALL_AT_EDGE: f64 = 0.01;
 /// Largest usual error of a detection, in standard deviations [1].
 const DEVIATIONS: f64 = 5.0;
@@ -82,7 +82,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Polygon, Pose, Vector2};
 
-    /// Detections on a surface of 0.32 m by 0.24 m, of which this is kept.
+    /// Applies [`keep_on_surface`] to detections around a surface of 0.32 m by 0.24 m.
     fn kept(places: &[[f64; 2]], is_first: bool) -> Result<(usize, Option<Doubt>), RunError> {
         let outline = Polygon::rectangle(Vector2::new(0.32, 0.24));
         let surface = Surface::new("board", outline, Pose::identity());

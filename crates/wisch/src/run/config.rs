@@ -30,11 +30,12 @@ pub enum AfterStop {
     Retreat,
 }
 
-/// Lowest score of a plan that is executed, unless the task sets another \[1\]. A plan that loses half of the
-/// dirt has a lower score, however much it brings where it belongs.
+/// Lowest score of a plan that is executed, unless the task sets another \[1\]. A plan that loses
+/// half of the dirt has a lower score, whatever share it brings to the goal.
 pub const MIN_SCORE: f64 = -1.0;
 
-/// Largest share of the runs without a change that give a warning, unless the task sets another \[1\].
+/// Largest permitted share of unchanged runs that give a warning, unless the task sets another
+/// \[1\].
 pub const FALSE_WARNING_RATE: f64 = 0.02;
 
 /// Settings of each stage, and the conditions under which a session ends. All seeds derive from the task's.
@@ -70,7 +71,7 @@ pub struct RunConfig {
     pub after_stop: AfterStop,
     /// What happens after a warning of the [watch](super::Session::with_warnings).
     pub on_warning: OnWarning,
-    /// Largest share of the runs without a change that give a warning \[1\], for the watch.
+    /// Largest permitted share of unchanged runs that give a warning \[1\], for the watch.
     pub false_warning_rate: f64,
     /// Largest distance of any joint from the start of a motion [rad or m].
     pub start_tolerance: f64,

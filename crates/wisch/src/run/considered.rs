@@ -6,8 +6,8 @@ use crate::represent::Task;
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// Score that the robot's reach may cost a plan before the planner searches for other strokes, in shares of the
-/// dirt [1].
+/// Score that a plan may lose to the robot's limited reach, before the planner searches for other
+/// strokes, in shares of the dirt [1].
 const MAX_REACH_LOSS: f64 = 0.01;
 /// Largest number of repeated searches around the places out of the robot's reach.
 const MAX_REPLANS: usize = 3;
@@ -17,8 +17,8 @@ const MAX_REPLANS: usize = 3;
 pub struct CandidateEvaluation {
     /// The strategy that found its strokes.
     pub strategy: Strategy,
-    /// The plan and its score. With a robot, the score is that of the strokes within reach, with the duration
-    /// of the motion. An error says why there is no plan, or no motion.
+    /// The plan and its score. With a robot, the score counts the strokes within reach and the
+    /// duration of the motion. The error is the reason why there is no plan, or no motion.
     pub candidate: Result<Candidate, RunError>,
     /// Predicted effect on the task's dirt; `None` without a plan.
     pub prediction: Option<Prediction>,
@@ -97,7 +97,7 @@ pub(super) fn evaluate_motions(
     (considered, best.map(|best| best.round))
 }
 
-/// The plan with the highest score so far; of several the first in the portfolio.
+/// The plan with the highest score so far; of equal plans, the first in the portfolio.
 struct Best {
     score: PlanScore,
     index: usize,
@@ -122,8 +122,8 @@ fn evaluate_motion(
     Ok((score.with_motion(round.followed.duration()), round))
 }
 
-/// Does the same for a plan of a search strategy. Where the robot does not reach all of it, the search is
-/// repeated without the places out of reach, and the best result is kept.
+/// Evaluates a plan of a search strategy as [`evaluate_motion`] does. If the robot does not reach
+/// all of it, the search is repeated without the places out of reach, and the best result is kept.
 pub(super) fn evaluate_within_reach(
     planner: &Planner<'_>,
     plan: Plan,

@@ -77,7 +77,7 @@ pub enum RunError {
     DetectionsElsewhere {
         /// Name of the surface.
         surface: String,
-        /// Number of these detections.
+        /// Number of detections beside the surface.
         count: usize,
         /// Number of all detections.
         of: usize,
@@ -103,7 +103,8 @@ pub enum RunError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
-    /// The first sample of a motion shows the robot elsewhere than at its start, or on its way until then.
+    /// The first sample of a motion shows the robot neither at the start of the motion nor on its
+    /// way until then.
     #[error(
         "round {round}: at {time:.3} s the executor reports joint {joint:?} {distance:.3} {unit} from {place}, more than the limit of {limit} {unit}, so the motion is stopped; expected a robot that stands where the motion begins, and positions in rad and m, in the order of the robot's variables"
     )]
@@ -114,9 +115,9 @@ pub enum RunError {
         time: f64,
         /// The joint with the largest distance.
         joint: String,
-        /// Its distance from that place [rad or m].
+        /// Distance of this joint from the expected position [rad or m].
         distance: f64,
-        /// The place where the robot is expected, in words.
+        /// The expected position, in words.
         place: &'static str,
         /// The limit [rad or m].
         limit: f64,

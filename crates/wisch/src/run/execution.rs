@@ -5,7 +5,7 @@ use crate::follow::Phase;
 use crate::robot::{JointKind, Range};
 use std::fmt;
 
-/// How an execution ended. One that ended early is interpreted up to its end.
+/// How an execution ended. An execution that ended early is interpreted up to its end.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ending {
     /// All motions are done.
@@ -99,7 +99,7 @@ pub enum StopCause {
 /// Kind of a robot's stop, which decides whether the run continues by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StopKind {
-    /// Somebody or something pushed the robot.
+    /// A person or an object pushed the robot.
     Push,
     /// The force on the tool exceeded its limit.
     Overload,
@@ -144,7 +144,8 @@ impl StopKind {
         }
     }
 
-    /// What precedes a reported reason; nothing for a protective stop, as the ending says that already.
+    /// Text before a reported reason; empty for a protective stop, because the ending states it
+    /// already.
     fn prefix(self) -> String {
         match self {
             Self::ProtectiveStop => String::new(),
@@ -196,18 +197,18 @@ pub struct Execution {
     pub positions: Vec<f64>,
     /// Pauses, in the order of time.
     pub pauses: Vec<Pause>,
-    /// Number of samples that were dropped because the observers of the run were too slow.
+    /// Number of dropped samples, because the observers of the run were too slow.
     pub dropped_samples: usize,
 }
 
 /// A pause of a motion, by the operator or by the robot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pause {
-    /// Time of its begin, since the start of the motion \[s\].
+    /// Time at which the pause begins, since the start of the motion \[s\].
     pub start: f64,
-    /// Time of its end; `None` if the motion ended in it \[s\].
+    /// Time at which the pause ends \[s\]; `None` if the motion ended during the pause.
     pub end: Option<f64>,
-    /// Phase of the motion at its begin.
+    /// Phase of the motion at the beginning of the pause.
     pub phase: Phase,
     /// Reason that the robot reports; may be empty.
     pub reason: String,

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 /// Receives the measured samples in the order of time, and may stop the execution.
 pub type SampleSink<'a> = dyn FnMut(&TelemetrySample<'_>) -> ControlFlow<()> + 'a;
 
-/// The only interface to a world.
+/// The interface to a world: the only way in which this library moves a robot and measures.
 ///
 /// An executor reports what a robot measures, never the ground truth. A simulator offers its ground truth
 /// through its own API, for evaluations; this library cannot access it:
@@ -44,7 +44,7 @@ pub trait Executor {
     /// `cell`: the robot with the tool in its hand.
     ///
     /// # Errors
-    /// The robot cannot be prepared. Then nothing moves, and [`Self::finish`] is not called.
+    /// If the robot cannot be prepared. Then nothing moves, and [`Self::finish`] is not called.
     fn prepare(&mut self, _cell: &Workcell) -> Result<(), ExecutorError> {
         Ok(())
     }
@@ -53,7 +53,7 @@ pub trait Executor {
     /// [`Stopped`](super::Ending::Stopped), when the sink returns `Break`.
     ///
     /// # Errors
-    /// The world cannot execute the motion. A robot that stops itself is not an error but an
+    /// If the world cannot execute the motion. A robot that stops itself is no error but an
     /// [`Ending`](super::Ending).
     fn execute(
         &mut self,
@@ -63,10 +63,10 @@ pub trait Executor {
 
     /// Reports the robot's measured state; `None` if the executor does not know it.
     ///
-    /// A motion begins only where the robot is, and at rest.
+    /// A motion begins only if the robot is at its start and at rest.
     ///
     /// # Errors
-    /// The executor knows the state, and reading it fails.
+    /// If the executor knows the state, but cannot read it.
     fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
         Ok(None)
     }
@@ -74,16 +74,17 @@ pub trait Executor {
     /// Observes the dirt with a camera, in the frame of the task's surface; `None` without a camera.
     ///
     /// # Errors
-    /// The camera fails.
+    /// If the camera fails.
     fn observe(&mut self, _task: &Task) -> Result<Option<Observation>, ExecutorError> {
         Ok(None)
     }
 
-    /// Undoes what [`Self::prepare`] did, after the last motion of a run; for example, hands the robot back. A session
-    /// calls it once after every successful preparation, also after a stop or an error.
+    /// Reverses [`Self::prepare`] after the last motion of a run; for example, returns control of
+    /// the robot. A session calls it once after every successful preparation, even after a stop or
+    /// an error.
     ///
     /// # Errors
-    /// The robot is not handed back. The rounds are kept.
+    /// If control is not returned. The rounds are kept.
     fn finish(&mut self) -> Result<(), ExecutorError> {
         Ok(())
     }
@@ -162,7 +163,7 @@ impl ExecutorError {
         }
     }
 
-    /// States that the operator interrupted the executor, which has no fault.
+    /// Marks the error as an interruption by the operator, and not as a fault of the executor.
     #[must_use]
     pub fn with_interruption(self) -> Self {
         Self {
@@ -176,7 +177,8 @@ impl ExecutorError {
         self.is_interruption
     }
 
-    /// Adds what is known of a motion that ended with this error, beside the samples that the sink has taken.
+    /// Adds the known data of a motion that ended with this error, in addition to the samples that
+    /// the sink received.
     ///
     /// `pauses`: its pauses, in the order of time. `dropped_samples`: number of samples that did not reach the sink.
     #[must_use]
@@ -212,8 +214,8 @@ pub struct RecordedRound {
 
 /// An executor that replays recorded rounds, then continues with another executor.
 ///
-/// An interrupted session that starts again computes the same motions; motions that were already executed need
-/// not be executed again.
+/// A session that was interrupted and starts again computes the same motions. With this executor,
+/// it does not execute completed motions again.
 #[derive(Debug, Clone)]
 pub struct Recording<E> {
     rounds: VecDeque<RecordedRound>,
@@ -238,7 +240,7 @@ impl<E> Recording<E> {
         }
     }
 
-    /// The executor of the rounds after the recorded rounds.
+    /// Returns the executor that executes the rounds after the recorded rounds.
     pub const fn inner(&self) -> &E {
         &self.then
     }

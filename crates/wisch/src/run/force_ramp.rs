@@ -1,4 +1,4 @@
-//! How the force rises while the tool comes down, and falls while it lifts off.
+//! The rise of the force while the tool comes down, and its fall while the tool lifts off.
 
 use super::MotionOrder;
 use crate::control::ControlConfig;
@@ -9,17 +9,17 @@ const PERIOD: f64 = 0.01;
 
 /// The force of the tool along the surface's normal during one motion of an order.
 ///
-/// The impedance controller of this library presses the tool in while it is within
-/// [`ControlConfig::approach_height`] of the surface, in proportion to how near it is. A driver with a force controller of
-/// its own reaches the same with this ramp.
+/// The impedance controller of this library presses the tool into the surface while its height is
+/// within [`ControlConfig::approach_height`], in proportion to its nearness. With this ramp, a
+/// driver that has a force controller does the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceRamp {
     /// Force at the start of the motion \[N\].
     pub start_force: f64,
-    /// Force at its end \[N\].
+    /// Force at the end of the motion \[N\].
     pub end_force: f64,
-    /// Time over which it changes \[s\]: the last part of a motion that lowers the tool, the first part of one that lifts
-    /// it; 0 where it stays.
+    /// Time over which the force changes \[s\]: the last part of a motion that lowers the tool, or
+    /// the first part of a motion that lifts it; 0 if the force is constant.
     pub duration: f64,
     /// Largest planned speed of the tool along the normal during that time \[m/s\].
     pub approach_speed: f64,

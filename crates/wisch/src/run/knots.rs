@@ -1,4 +1,5 @@
-//! Knots of a trajectory: few setpoints, between which quintic polynomials follow it within an error.
+//! Knots of a trajectory: a small number of setpoints, between which quintic polynomials follow the
+//! trajectory within an error.
 
 use crate::follow::{Followed, TrajectorySample};
 
@@ -7,8 +8,8 @@ const CHECK_PERIOD: f64 = 0.005;
 /// Largest number of periods between two knots.
 const MAX_PERIODS: usize = 400;
 
-/// Returns the times of the knots [s]: the start of each motion, the end, and as few as a greedy search finds between
-/// them. `error`: largest deviation of any variable [rad or m].
+/// Returns the times of the knots [s]: the start of each motion, the end, and further times found
+/// by a greedy search for few knots. `error`: largest deviation of any variable [rad or m].
 pub(super) fn knot_times(followed: &Followed, error: f64) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     for motion in &followed.motions {

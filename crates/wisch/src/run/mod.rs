@@ -1,7 +1,7 @@
 //! The whole loop: plan, follow, audit, execute, interpret, decide, until the goal is met; paper §4.
 //!
-//! A [`Session`] is the only item here with state. It advances one stage at a time, reports its progress by
-//! [`RunEvent`]s, and reaches the world only through an [`Executor`].
+//! A [`Session`] is the only item with state in this module. It advances one stage at a time,
+//! reports its progress by [`RunEvent`]s, and accesses the world only through an [`Executor`].
 
 mod beside;
 mod config;

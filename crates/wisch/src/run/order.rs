@@ -84,8 +84,8 @@ impl MotionOrder<'_> {
         })
     }
 
-    /// Returns the setpoints at this period \[s\], from the start to the end, which is the last; none for an
-    /// empty motion.
+    /// Returns the setpoints at this period \[s\], from the start to the end of the motion, both
+    /// included; none for an empty motion.
     pub fn setpoints(&self, period: f64) -> impl Iterator<Item = Setpoint> {
         period_times(self.followed.duration(), period).filter_map(|time| self.setpoint(time))
     }
@@ -93,8 +93,8 @@ impl MotionOrder<'_> {
     /// Returns setpoints between which a quintic polynomial of each variable, through the positions, velocities and
     /// accelerations at both ends, deviates from the trajectory by at most `error` [rad or m]; none for an empty motion.
     ///
-    /// The start of every motion and the end are among them. Robot controllers interpolate so
-    /// (`joint_trajectory_controller` of ros2_control).
+    /// The start of every motion and the end of the last are included. Robot controllers
+    /// interpolate in this way (`joint_trajectory_controller` of ros2_control).
     pub fn knots(&self, error: f64) -> Vec<Setpoint> {
         let times = knot_times(self.followed, error);
         times
@@ -125,7 +125,8 @@ impl MotionOrder<'_> {
     }
 }
 
-/// Returns the times at this period from 0 to the end, which is the last \[s\]. They increase strictly.
+/// Returns the times at this period from 0 to the duration, both included \[s\]. They increase
+/// strictly.
 fn period_times(duration: f64, period: f64) -> impl Iterator<Item = f64> {
     // Rounding of a whole number of periods must not repeat the end.
     let steps = (duration / period - ROUNDING).ceil().max(0.0) as usize;

@@ -6,7 +6,7 @@ use crate::represent::Task;
 use std::fmt;
 use std::sync::Arc;
 
-/// The result of the function: strokes as for [`plan_from_strokes`], or why there are none.
+/// The result of the function: strokes as for [`plan_from_strokes`], or the reason why it has none.
 type OwnStrokes = Result<Vec<Vec<PlanarPose>>, String>;
 
 /// A function that returns the strokes of a round. The planner checks them like any strokes that a user gives.
@@ -37,7 +37,8 @@ impl<'a> OwnStrategy<'a> {
     /// strokes \[m\].
     ///
     /// # Errors
-    /// [`PlanError::OwnStrategy`] with the function's error, or a stroke that the tool cannot make.
+    /// [`PlanError::OwnStrategy`] with the function's error, or [`PlanError::Stroke`] for a stroke
+    /// that the tool cannot make.
     pub fn plan(&self, task: &Task, lift_height: f64) -> Result<Plan, PlanError> {
         let strokes = (self.0)(task).map_err(PlanError::OwnStrategy)?;
         plan_from_strokes(task, &strokes, lift_height)

@@ -24,7 +24,7 @@ pub struct PlannedRound {
     pub believed: Belief,
     /// The plan.
     pub plan: Plan,
-    /// Robot, tool and scene, which all plans of a round share.
+    /// Robot, tool and scene; all plans of a round share them.
     pub cell: Arc<Workcell>,
     /// The joint motion.
     pub followed: Followed,
@@ -67,7 +67,8 @@ impl PlannedRound {
         }
     }
 
-    /// Share of the particles that the abandoned nodes are predicted to cost \[1\].
+    /// Share of the particles that the plan is predicted to leave because of the abandoned nodes
+    /// \[1\].
     pub fn abandoned_share(&self) -> f64 {
         if self.followed.abandoned.is_empty() {
             return 0.0;
@@ -106,9 +107,10 @@ fn tool_travel(cell: &Workcell, followed: &Followed, end: f64) -> [f64; 2] {
 pub struct ExecutedMotion {
     /// Time in contact \[s\].
     pub contact_time: f64,
-    /// Length of the path of the arm's revolute joints in joint space: in contact, and in total \[rad\].
+    /// Path length of the arm's revolute joints in joint space \[rad\]: in contact, and in total.
     pub joint_movement: [f64; 2],
-    /// The same of the arm's prismatic joints \[m\]; `None` for an arm without any.
+    /// Path length of the arm's prismatic joints \[m\]: in contact, and in total; `None` for an arm
+    /// without any.
     pub slide_movement: Option<[f64; 2]>,
     /// Path length of the tool centre point \[m\]: in contact, along the strokes that the robot follows; in total, in the
     /// world over the whole motion, with the way from the ready posture, between the strokes and back.

@@ -70,7 +70,8 @@ pub struct Session<'a> {
     task: Task,
     belief: Belief,
     workcell: WorkcellConfig,
-    /// Robot, tool and scene, from the first plan that is followed until one of them moves.
+    /// Robot, tool and scene, from the first followed plan until the robot's base or the surface
+    /// moves.
     cell: OnceLock<Result<Arc<Workcell>, FollowError>>,
     given: Option<Plan>,
     own: Option<OwnStrategy<'a>>,
@@ -80,18 +81,18 @@ pub struct Session<'a> {
     rounds: Vec<Round>,
     /// The observation before the first round, if there is a camera; the outer `None` before it is taken.
     first_observation: Option<Option<Observation>>,
-    /// Range of the number of detections that were expected in it, if it shows none.
+    /// Predicted range of the number of detections in the first observation, if it shows none.
     unseen: Option<[f64; 2]>,
-    /// Doubts about the data of the current round that its interpretation does not find.
-    /// Compares the run with earlier runs, and its warnings of the current round.
+    /// Compares the run with earlier runs.
     watch: Option<WarningWatch<'a>>,
+    /// Warnings of the watch in the current round.
     warnings: Vec<RunWarning>,
+    /// Doubts about the data of the current round that its interpretation does not find.
     doubts: Vec<Doubt>,
     is_stopped: bool,
-    /// Last known joint positions, all n variables [rad or m]; `None` before the first
-    /// measurement.
+    /// Last known joint positions, all n variables [rad or m]; `None` before the first measurement.
     stands: Option<Vec<f64>>,
-    /// Whether the last motion ended before its end, so that the next begins with a retreat.
+    /// Whether the last motion ended early, so that the next one begins with a retreat.
     retreats: bool,
     /// The error that ended the current execution.
     failure: Option<RunError>,
@@ -110,7 +111,7 @@ enum State {
     Audited(Box<PlannedRound>, Audit),
     Executed(Box<PlannedRound>, Audit, Execution, Box<Interpreter>),
     Interpreted(Box<PlannedRound>, Audit, Execution, Box<Interpretation>),
-    /// With the motion that was not executed because of its faults, if there is one.
+    /// Ended; with the motion that was not executed because of its faults, if there is one.
     Ended(Option<Box<(PlannedRound, Audit)>>),
 }
 
@@ -156,7 +157,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Sets the belief about the dirt; without it, the session takes the task's particles for certain.
+    /// Sets the belief about the dirt; without it, the task's particles are the known dirt.
     #[must_use]
     pub fn with_belief(self, belief: Belief) -> Self {
         Self { belief, ..self }
@@ -167,8 +168,9 @@ impl<'a> Session<'a> {
         self.first_observation.as_ref()?.as_ref()
     }
 
-    /// Range of the number of detections that the belief let expect before the first round (5 % and 95 % quantiles), if the
-    /// observation shows none: the surface is clean, or the camera does not see the dirt. The goal is then unknown.
+    /// Range of the number of detections that the belief predicted before the first round (5 % and
+    /// 95 % quantiles), if the observation shows none: the surface is clean, or the camera does not
+    /// detect the dirt. The goal is then unknown.
     pub const fn unseen_dirt(&self) -> Option<[f64; 2]> {
         self.unseen
     }
@@ -179,7 +181,7 @@ impl<'a> Session<'a> {
         Self { given, ..self }
     }
 
-    /// Sets a strategy of the user's own, by which the session plans every round without a given plan.
+    /// Sets a strategy of the user; the session plans every round by it that has no given plan.
     #[must_use]
     pub fn with_strategy(self, own: OwnStrategy<'a>) -> Self {
         Self {
@@ -188,8 +190,8 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Adds a watch that compares the run with earlier runs while the robot wipes;
-    /// [`RunConfig::on_warning`] says what follows from its warnings.
+    /// Adds a watch that compares the run with earlier runs while the robot wipes.
+    /// [`RunConfig::on_warning`] determines the consequence of its warnings.
     #[must_use]
     pub fn with_warnings(self, watch: WarningWatch<'a>) -> Self {
         Self {
@@ -220,7 +222,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// The audit of that motion; `None` before the check.
+    /// The audit of the motion of [`Self::planned_round`]; `None` before the check.
     pub fn audit(&self) -> Option<&Audit> {
         match &self.state {
             State::Audited(_, audit)
@@ -263,8 +265,9 @@ impl<'a> Session<'a> {
     /// Runs the session to its end.
     ///
     /// # Errors
-    /// The errors of the stages. If an execution fails, the data measured until then are first interpreted, and the
-    /// policy decides on them: the round is among [`Self::rounds`], [stopped](Ending::Stopped).
+    /// The errors of the stages, see [`RunError`]. If an execution fails, the data measured so far
+    /// are first interpreted and get a verdict: the round is among [`Self::rounds`], with the
+    /// ending [stopped](Ending::Stopped).
     pub fn run(
         &mut self,
         executor: &mut dyn Executor,
@@ -276,7 +279,7 @@ impl<'a> Session<'a> {
     /// Runs the session until it has completed a stage, or to its end.
     ///
     /// # Errors
-    /// The errors of the stages.
+    /// The errors of the stages, see [`RunError`].
     ///
     /// ```
     /// # use wisch::prelude::*;
@@ -307,10 +310,12 @@ impl<'a> Session<'a> {
 
     /// Advances the session by one stage.
     ///
-    /// With the end of the session, or an error, a prepared executor [finishes](Executor::finish).
+    /// At the end of the session, or after an error, a prepared executor
+    /// [finishes](Executor::finish).
     ///
     /// # Errors
-    /// The errors of the stage in the first round. In later rounds a missing plan or motion is a verdict.
+    /// The errors of the stage in the first round, see [`RunError`]. In later rounds, a missing
+    /// plan or motion is a verdict.
     pub fn step(
         &mut self,
         executor: &mut dyn Executor,
@@ -361,7 +366,7 @@ impl<'a> Session<'a> {
         Ok(stage)
     }
 
-    /// The goal of the first plan, which holds for all rounds.
+    /// Returns the goal of the first plan, which holds for all rounds.
     fn goal_of(&self, plan: &Plan) -> GoalState {
         self.goal.unwrap_or(plan.graph.goal)
     }
@@ -496,7 +501,7 @@ impl<'a> Session<'a> {
         self.cell.get_or_init(build).clone()
     }
 
-    /// Sets the last known joint positions, which the start of a robot on a base depends on.
+    /// Sets the last known joint positions, which determine the start of a robot on a base.
     fn set_positions(&mut self, positions: Option<Vec<f64>>) {
         self.stands = positions;
         let is_on_base = |cell: &Arc<Workcell>| cell.base().is_some();
@@ -605,7 +610,7 @@ impl<'a> Session<'a> {
         for doubt in std::mem::take(&mut self.doubts) {
             interpretation.add_doubt(doubt);
         }
-        // After an executor failed, the session does not ask it for an observation.
+        // After the executor has failed, the session does not request an observation from it.
         let sight = self.config.sight.filter(|_| self.failure.is_none());
         let seen = sight.map(|_| executor.observe(&planned.task)).transpose();
         let kept = seen.map_err(RunError::from).and_then(|seen| {
@@ -616,7 +621,7 @@ impl<'a> Session<'a> {
         let (seen, beside) = match kept {
             Ok(Some((seen, beside))) => (Some(seen), beside),
             Ok(None) => (None, None),
-            // The executed part gets a verdict by touch alone, and is kept.
+            // The executed part gets a verdict by contact forces alone, and is kept.
             Err(error) => {
                 self.failure = Some(error);
                 (None, None)

@@ -5,7 +5,7 @@ use crate::follow::{Followed, Workcell};
 use crate::geometry::{PlanarPose, Point2, Pose, Vector3};
 use nalgebra::{Translation3, UnitQuaternion};
 
-/// Checks that an execution reports the position of every joint, or of none.
+/// Checks that an execution reports the positions of all joints, or none.
 pub(super) fn check_positions(
     execution: Execution,
     cell: &Workcell,
@@ -96,9 +96,11 @@ pub(super) fn check_start(
 
 /// Latest time of a motion's first sample at which the robot is still near the start of the motion [s].
 const BEGINNING: f64 = 1.0;
-/// Step in which a later first sample is compared with the motion until then [s]: within it, no joint moves far.
+/// Step in which a later first sample is compared with the motion until then [s]: within one step,
+/// every joint moves only a little.
 const WAY_STEP: f64 = 0.05;
-/// Distance of a joint from the start of a motion, or from its setpoint, that the beginning of a motion explains [rad or m].
+/// Distance of a joint from the start of a motion, or from its setpoint, up to which a motion that
+/// has just begun explains it [rad or m].
 const NEAR_START: f64 = 0.3;
 
 /// Checks that the first measured positions of a motion are near its start, or later on its way until then: the robot

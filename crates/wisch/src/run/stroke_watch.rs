@@ -7,9 +7,9 @@ use crate::represent::{Surface, SurfaceShape, Task};
 
 /// Share of the press force below which the tool is out of contact [1].
 const CONTACT_SHARE: f64 = 0.2;
-/// Path without contact after which contact counts as lost, over the collision radius [1].
+/// Path without contact at which contact counts as lost, over the collision radius [1].
 const WITHOUT_CONTACT: f64 = 2.0;
-/// Time off its path after which the tool counts as led away [s].
+/// Time off its path after which the tool counts as led off its stroke [s].
 const LED_FOR: f64 = 0.3;
 /// Longest time between two samples over which the tool's travel counts [s].
 const LONGEST_GAP: f64 = 0.1;
@@ -37,7 +37,7 @@ pub enum StrokeEnd {
     },
 }
 
-/// A detector that checks the samples of a round one by one.
+/// A detector that examines the samples of a round one by one.
 #[derive(Debug)]
 pub(super) struct StrokeWatch {
     surface: Surface,
@@ -81,7 +81,7 @@ impl StrokeWatch {
                 if sample.time - since <= LONGEST_GAP {
                     (at - before).norm()
                 } else {
-                    // What the tool did meanwhile is unknown.
+                    // The motion of the tool since the last sample is unknown.
                     self.led_since = None;
                     0.0
                 }
@@ -193,7 +193,8 @@ mod tests {
         .expect("it is ended");
         assert!((time - 2.0).abs() < 0.01, "{time} s");
         assert!(matches!(end, StrokeEnd::ContactLost { way } if (way - 0.1).abs() < 1e-3));
-        // Travel without evidence is no travel without contact; that with evidence now and then is.
+        // Travel without a measured force is not travel without contact; travel with a measured
+        // force at some samples is.
         let unseen = |time: f64| if time < 2.9 { f64::NAN } else { 0.5 };
         let seen = |time: f64| if time < 0.1 { 10.0 } else { unseen(time) };
         assert_eq!(ended(Phase::Wipe(0), |time| (seen(time), 0.0)), None);

@@ -29,11 +29,11 @@ pub struct TelemetrySample<'a> {
     pub motion: usize,
     /// Purpose of that motion.
     pub phase: Phase,
-    /// What the driver states about the sample.
+    /// Statements of the driver about the sample.
     pub status: SampleStatus,
 }
 
-/// What a driver states about a sample.
+/// Statements of a driver about a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SampleStatus {
     /// Time of the measurement on the driver's clock \[ns\]; `None` if it is not stated.
@@ -51,10 +51,10 @@ impl SampleStatus {
     }
 }
 
-/// Absolute time of a measurement, on a named clock.
+/// Time of a measurement on a named clock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stamp {
-    /// Nanoseconds since the beginning of the clock.
+    /// Nanoseconds since the origin of the clock.
     pub nanoseconds: u64,
     /// The clock.
     pub clock: StampClock,
@@ -133,7 +133,7 @@ pub struct RecordedSample {
     pub controller: Wrench,
     /// External wrench.
     pub external: Wrench,
-    /// What the driver states about the sample.
+    /// Statements of the driver about the sample.
     pub status: SampleStatus,
 }
 

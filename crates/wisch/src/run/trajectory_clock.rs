@@ -22,9 +22,10 @@ const NEARER: f64 = 1e-9;
 
 /// The trajectory time that a robot has reached, estimated from the states that it reports.
 ///
-/// Two hypotheses are compared. In the first, trajectory time is the time of the sample: the robot keeps the
-/// plan's times, even if a person pushes it away. In the second, the robot follows the path at a speed of its
-/// own. The second is taken only where it explains the reported states clearly better.
+/// Two hypotheses are compared. In the first, trajectory time is the time of the sample: the robot
+/// keeps the planned times, even if a person pushes it away. In the second, the robot follows the
+/// path at another speed. The second hypothesis is used only if it explains the reported states
+/// clearly better.
 #[derive(Debug)]
 pub struct TrajectoryClock {
     duration: f64,
@@ -46,7 +47,7 @@ pub struct TrajectoryClock {
     reached: f64,
 }
 
-/// A reported trajectory time that is earlier than the last.
+/// A reported trajectory time that is earlier than the last reported one.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
     "trajectory time {now} s is earlier than the last reported time, {before} s; expected times that never decrease"
@@ -85,7 +86,7 @@ impl TrajectoryClock {
     /// they are not measured; then the tool's pose is used.
     ///
     /// # Errors
-    /// The reported time is earlier than the last reported time.
+    /// If the reported time is earlier than the last reported time.
     pub fn advance(
         &mut self,
         time: f64,

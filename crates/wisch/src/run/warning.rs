@@ -103,7 +103,7 @@ pub struct AlikeEpisode {
     pub performance: Option<f64>,
 }
 
-/// A warning: the running stroke differs from what comparable episodes showed at the same phase.
+/// A warning: the running stroke differs from comparable earlier episodes at the same phase.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunWarning {
     /// The round, from 1.
@@ -126,7 +126,7 @@ pub struct RunWarning {
     pub p_value: f64,
     /// Number of episodes that the run is compared with.
     pub episodes: usize,
-    /// The most alike of these episodes, the most alike one first.
+    /// The episodes that are most similar to the run, the most similar one first.
     pub alike: Vec<AlikeEpisode>,
 }
 

@@ -3,7 +3,7 @@
 use super::{RunEvent, RunWarning};
 use std::fmt;
 
-/// A function that receives the events of a run and returns the warnings that they give cause for.
+/// A function that receives the events of a run and returns the resulting warnings.
 type Warn<'a> = dyn FnMut(&RunEvent<'_>) -> Vec<RunWarning> + Send + Sync + 'a;
 
 /// A function that compares a run with earlier runs; `wisch_memory::warnings` has one.
@@ -36,7 +36,8 @@ impl<'a> WarningWatch<'a> {
         }
     }
 
-    /// Sets the number of first rounds whose warnings end neither stroke nor run, because they are replayed.
+    /// Sets the number of first rounds whose warnings end neither the stroke nor the run, because
+    /// these rounds are replayed.
     #[must_use]
     pub fn with_replayed_rounds(self, passive_rounds: usize) -> Self {
         Self {

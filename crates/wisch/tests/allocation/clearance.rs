@@ -32,7 +32,7 @@ pub fn a_query_allocates_nothing() {
     }
     assert_eq!(watched.change().allocations, before);
 
-    // The watch itself can tell.
+    // The counter detects an allocation.
     let grown: Vec<u8> = Vec::with_capacity(std::hint::black_box(64));
     assert_eq!(watched.change().allocations, before + 1);
     drop(grown);

@@ -1,5 +1,5 @@
-//! The control loop allocates nothing once it runs: a robot must not wait for an allocator. The engine that
-//! stands in for the world does allocate, so the loop's parts are watched alone, from their own source.
+//! The control loop allocates nothing once it runs: a robot must not wait for an allocator. The
+//! engine of the simulated world does allocate, so the parts of the loop are tested alone.
 
 use crate::ALLOCATOR;
 use nalgebra::{Matrix6xX, Vector6};
@@ -20,7 +20,7 @@ pub fn a_period_of_control_allocates_nothing() {
     let robot = RobotModel::from_urdf("humanoid", text, &mut |_| Err(String::new())).unwrap();
     let count = robot.dof();
     let mut q: Vec<f64> = (0..count).map(|i| 0.02 * i as f64).collect();
-    // Over its end, so that the stops take part.
+    // Beyond the end of the range, so that the joint stops act.
     let last = robot.variable(count - 1).limits.position;
     q[count - 1] = last.map_or(0.0, |range| range.upper + 0.01);
     let qd = vec![0.1; count];
@@ -85,7 +85,7 @@ pub fn a_period_of_control_allocates_nothing() {
     }
     assert_eq!(watched.change().allocations, before);
 
-    // The watch itself can tell.
+    // The counter detects an allocation.
     let grown: Vec<u8> = Vec::with_capacity(std::hint::black_box(64));
     assert_eq!(watched.change().allocations, before + 1);
     drop(grown);

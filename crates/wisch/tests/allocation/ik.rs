@@ -25,7 +25,7 @@ pub fn solving_and_self_motion_allocate_nothing() {
     solver.relax(RotationGoal::Full, &best, &config).unwrap();
     assert_eq!(watched.change().allocations, before);
 
-    // The watch itself can tell.
+    // The counter detects an allocation.
     let grown: Vec<u8> = Vec::with_capacity(std::hint::black_box(64));
     assert_eq!(watched.change().allocations, before + 1);
     drop(grown);

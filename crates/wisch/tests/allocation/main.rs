@@ -1,7 +1,9 @@
-//! What runs in a loop, or for every particle, allocates nothing once its scratch space has its size.
+//! Functions that run in a loop, or for every particle, allocate nothing once their scratch space
+//! has its size.
 //!
-//! The allocator counts for the whole process, so one test after the other is watched, apart from all others and from the
-//! test harness, which allocates on a thread of its own while a test begins.
+//! The allocator counts for the whole process. Therefore, the tests run one after another in a
+//! separate program, without the test harness, which allocates on another thread while a test
+//! begins.
 
 mod clearance;
 mod control;
@@ -15,7 +17,7 @@ use std::alloc::System;
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 fn main() {
-    // Runners that ask for a list of tests find none.
+    // The list of tests for test runners is empty.
     if std::env::args().any(|argument| argument == "--list") {
         return;
     }

@@ -1,4 +1,4 @@
-//! Each kind of fault is found where it is planted.
+//! Each kind of planted fault is found.
 
 use std::mem::discriminant;
 use wisch::follow::{
@@ -220,7 +220,7 @@ fn moved(cell: &Workcell, phase: Phase, goals: &[(&str, f64)]) -> Followed {
     moved_within(cell, cell.limits(), phase, goals)
 }
 
-/// The same, timed by limits of the test's own.
+/// The same as [`moved`], timed with other limits.
 fn moved_within(
     cell: &Workcell,
     limits: &JointLimits,

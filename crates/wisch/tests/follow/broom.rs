@@ -12,7 +12,8 @@ use wisch::represent::{Action, Task};
 use wisch_io::TaskFile;
 use wisch_testkit::{board, cell, faults, humanoid};
 
-/// How far the humanoid's hand reaches beyond its link's origin: a capsule of 0.12 m about 0.2 m [m].
+/// Distance by which the humanoid's hand extends beyond the origin of its link: a capsule of 0.12 m
+/// about 0.2 m [m].
 const HAND: f64 = 0.32;
 
 fn sweeping(file: &TaskFile, task: &Task, second: Option<&str>) -> Result<Workcell, FollowError> {
@@ -76,7 +77,7 @@ fn both_hands_stay_on_the_stick_over_the_whole_motion() {
     }
     assert!(moved > 0.5, "the hand has only moved {moved} m");
 
-    // A grip elsewhere on the stick, or a stiffer one, is one that this motion does not keep.
+    // With another or a stiffer grip on the stick, this motion has faults.
     let config = FollowConfig::default();
     let second = Some("left_arm");
     let is_off_grip = |fault: &MotionFault| matches!(fault, MotionFault::OffGrip { .. });
@@ -163,13 +164,13 @@ fn one_hand_leaves_the_other_where_it_is() {
     assert_eq!(cell.arm_variables(), cell.ik().chain().variables());
 }
 
-/// Longer than this no search takes.
+/// Upper limit of the duration of a search.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 #[test]
 fn the_search_for_a_free_motion_of_two_hands_ends() {
-    // On the way between its strokes the second hand, brought back to the stick, leads the tree away from where it grows
-    // to: one that goes on all the same never comes there.
+    // Between the strokes, the projection of the second hand onto the stick moves new nodes of the
+    // search tree away from their target; a search without a check of progress never ends.
     let (sender, ended) = channel();
     std::thread::spawn(move || {
         let (file, task) = shipped("broom-chippings", Action::Collect);

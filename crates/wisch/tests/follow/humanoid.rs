@@ -19,7 +19,7 @@ pub fn shipped(scenario: &str, action: Action) -> (TaskFile, Task) {
     (loaded.file, loaded.task)
 }
 
-/// What the file's strategy plans.
+/// Returns the plan by the strategy of the file.
 pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     let config = PlanConfig {
         strategy: CoverageStrategy::Kde.into(),
@@ -31,7 +31,7 @@ pub fn planned(file: &TaskFile, task: &Task) -> Plan {
     plan(task, &config).unwrap()
 }
 
-/// The humanoid before the chopping board, what it is to wipe, and where it reaches.
+/// The humanoid in front of the chopping board, its task, and its capability map.
 fn at_the_board() -> (Task, Plan, Workcell, Option<CapabilityMap>) {
     let (file, task) = shipped("chopping-board", Action::Collect);
     let plan = planned(&file, &task);
@@ -82,7 +82,7 @@ fn a_base_that_has_turned_round_begins_with_the_turns_that_it_counts() {
         .map(|sample| sample.q[base.yaw])
         .collect();
     assert!((headings[0] - stands[base.yaw]).abs() < 0.05);
-    // Nowhere does it turn round for nothing.
+    // The base makes no needless turns.
     assert!(
         headings
             .windows(2)

@@ -1,4 +1,5 @@
-//! How robots hold tools: as declared, as their SRDF says, or square on the flange; and what they leave where it is.
+//! Mounts of tools: as declared, from the SRDF, or square on the flange; and the collisions that
+//! they permit.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};

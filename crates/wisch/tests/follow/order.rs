@@ -1,4 +1,5 @@
-//! The order of places is the robot's to choose where it absorbs: its joints move less, and it does as much.
+//! For absorb, the order of nodes is free: another order moves the joints less and has the same
+//! effect.
 
 use std::collections::BTreeSet;
 use wisch::follow::{FollowConfig, Followed, Workcell, follow};
@@ -7,7 +8,7 @@ use wisch::plan::{CoverageStrategy, Plan, PlanConfig, plan, predict};
 use wisch::represent::{Action, Mount, ParticleDistribution, Task};
 use wisch_testkit::{block, board, cell, faults};
 
-/// Places 0.1 m apart on a floor all round the arm.
+/// Particles 0.1 m apart on a floor around the arm.
 fn floor(action: Action) -> Task {
     let all =
         (-6..=6).flat_map(|i| (-6..=6).map(move |j| Point2::new(f64::from(i), f64::from(j)) * 0.1));
@@ -103,12 +104,12 @@ fn the_order_is_the_same_on_one_thread_and_on_two() {
 
 #[test]
 fn what_pushes_or_stands_round_things_keeps_to_what_its_way_does() {
-    // A tool that pushes goes as planned, whatever the order would save.
+    // A tool that pushes follows the planned order, even if another one is shorter.
     let task = floor(Action::Collect);
     let (plan, cell_) = (covering(&task), cell(&task));
     let [in_order, free] = [false, true].map(|free| followed(&task, &plan, &cell_, free).strokes);
     assert_eq!(in_order, free);
-    // Round a block the tool is lifted over what it does not pass.
+    // At a block, the tool is lifted over the places that it cannot pass.
     let mut task = floor(Action::Absorb);
     task.scene
         .push(block("block", [0.05, 0.05, 0.04], [0.45, 0.15, 0.02]));

@@ -25,7 +25,7 @@ fn found(followed: &Followed, cell: &Workcell, task: &Task) -> Vec<MotionFault> 
     audit(followed, cell, task, &config).unwrap().faults
 }
 
-/// Bodies that are found in the surface or behind it, each with its depth [m].
+/// Bodies that the audit finds in the surface or behind it, each with its depth [m].
 fn through(faults: &[MotionFault]) -> Vec<(&str, f64)> {
     let through = faults.iter().filter_map(|fault| match fault {
         MotionFault::ThroughSurface { body, depth, .. } => Some((body.as_str(), *depth)),
@@ -107,7 +107,7 @@ fn a_hand_that_reaches_through_the_surface_is_an_error_before_anything_moves() {
     }
 }
 
-/// How often the tool goes through the surface or is behind it, seen from its corners at 5 ms.
+/// Number of times at which a corner of the tool is behind the surface, in steps of 5 ms.
 fn places_behind(followed: &Followed, cell: &Workcell, task: &Task) -> usize {
     let surface_from_world = task.surface.world_from_surface.inverse();
     let mut behind = 0;

@@ -1,4 +1,4 @@
-//! What the documents for readers name exists: items, paths, commands.
+//! The items, paths and commands that the documents name exist.
 
 use super::{STAGES, code, rust_files, source};
 use std::fs;

@@ -1,4 +1,4 @@
-//! The belief before the first measurement, and what an observation changes.
+//! The belief before the first measurement, and its updates by observations.
 
 use super::interpreted_with;
 use super::log::{STEEP, Script, task};
@@ -12,7 +12,7 @@ use wisch::represent::{
     Task,
 };
 
-/// A camera that sees every grain where it is, and nothing else.
+/// A camera that detects every grain at its exact position, without false alarms.
 const SHARP: Sight = Sight {
     sensor: SensorModel {
         detection: 1.0,
@@ -147,7 +147,7 @@ fn an_exact_observation_before_wiping_determines_the_dirt() {
         assert_eq!(member.len(), 30);
         assert!(member.remaining().all(|p| (p.x - 0.05).abs() < 1e-4));
     }
-    // Behind something that hides it, a member keeps what it believed.
+    // In a hidden area, the members keep their particles.
     let hidden = Region::new(vec![Polygon::rectangle(Vector2::new(0.2, 0.28))]);
     let behind = Observation {
         detections: vec![],
@@ -183,7 +183,7 @@ fn an_observation_after_wiping_shows_what_is_left_and_what_is_gone() {
     for member in felt.belief.members() {
         assert_eq!((member.len(), member.tally().absorbed), (80, 60));
     }
-    // What a blind look sees is no news.
+    // The observation of a blind camera changes nothing.
     let blind = Sight {
         detection: 0.0,
         ..SHARP
@@ -230,11 +230,11 @@ fn an_observation_that_contradicts_touch_raises_a_doubt_and_widens_the_interval(
     };
     let (agrees, told) = after(most);
     assert_eq!((told, agrees.is_conclusive()), (None, true));
-    // As many as there were believed to be at all: touch is wrong.
+    // As many detections as the initial number of grains: the estimate by touch is wrong.
     let (unwiped, told) = after(75);
     assert_eq!(told, Some((75, true, true)), "{most} left by touch");
     assert!(unwiped.is_conclusive() && unwiped.performance.low < 0.05);
-    // More than there were: the number is wrong, and the performance open.
+    // More detections than grains: the number is wrong, and the performance unknown.
     let (more, told) = after(130);
     assert_eq!(told, Some((130, true, true)));
     let estimate = more.performance;
@@ -307,7 +307,7 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         let estimate = unexplained.performance;
         assert!(!unexplained.is_conclusive(), "{goal:?}: {estimate:?}");
         assert!(estimate.low < 0.2, "{goal:?}: {estimate:?}");
-        // All the dirt is still there, as without contact it must be.
+        // All the dirt is still there, as it must be without contact.
         let explained = after(57);
         assert!(explained.is_conclusive(), "{goal:?}");
         assert!(explained.performance.high < 0.2, "{goal:?}");
@@ -348,7 +348,7 @@ fn false_alarms_are_distinguished_by_where_dirt_may_be() {
 #[test]
 fn an_observation_weighs_the_laws_by_how_much_is_left() {
     let task = task(80, STEEP);
-    // What is hard to wipe is left in some members, and gone in others.
+    // Particles with a high threshold remain in some members, and are gone in others.
     let mut config = InterpretConfig::from_task(&task);
     config.uncertainty.law_mu = 1.0;
     config.uncertainty.kept_share = 1.0;
@@ -366,7 +366,7 @@ fn an_observation_weighs_the_laws_by_how_much_is_left() {
     };
     felt.observe(&update(&task, &GoalState::Absorbed, &seen));
     assert!(before < 60.0 && (left(&felt) - 80.0).abs() < 1e-9);
-    // Wiped once more, the dirt is believed to stay where it is.
+    // After another wipe, the dirt is believed to remain.
     let again = interpreted_from(&felt.belief, &task, &config);
     let once = interpreted_with(&Script::default().samples(&task), &task, &config);
     assert!(
@@ -393,7 +393,8 @@ fn interpreted_from(
     wisch::interpret::interpret(&samples, task, belief, &GoalState::Absorbed, config).unwrap()
 }
 
-/// Nine of ten grains of a pile are seen, and every member has all of them there: what is not seen was missed.
+/// Nine of ten grains of a pile are detected, and every member has all of them there: the others
+/// were missed.
 #[test]
 fn what_all_members_agree_on_was_missed_rather_than_gone() {
     let task = task(80, STEEP);

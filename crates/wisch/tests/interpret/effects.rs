@@ -1,4 +1,4 @@
-//! What is believed to be wiped: shares in closed form, seeds, samples and densities.
+//! Beliefs about the effect of wiping: shares in closed form, seeds, samples and densities.
 
 use super::log::{PRESS, STEEP, Script, task};
 use super::{exact, interpreted_with};
@@ -217,7 +217,7 @@ fn a_density_is_the_mean_and_the_spread_of_the_counts() {
     let surface = task(0, STEEP).surface;
     let particles = |count: usize, fate: Fate| {
         let mut places = vec![(Point2::new(0.05, -0.13), Fate::OnSurface); count];
-        // Elsewhere, and gone.
+        // Further particles at another place, on the surface or absorbed.
         places.resize(4, (Point2::new(-0.15, 0.13), fate));
         ParticleDistribution::with_fates(&places).unwrap()
     };
@@ -243,8 +243,8 @@ fn a_density_is_the_mean_and_the_spread_of_the_counts() {
     }
 }
 
-/// A tool that trembles, settles and turns in before its stroke takes what lies under it along with the
-/// stroke all the same.
+/// A tool that trembles, settles and turns before its stroke still carries the particles under it
+/// along with the stroke.
 #[test]
 fn trembling_before_a_stroke_pushes_nothing_away() {
     let mut task = task(0, STEEP);

@@ -62,7 +62,7 @@ fn many_short_gaps_leave_a_lower_bound() {
     let mut samples = Script::default().samples(&task);
     let whole = interpreted_with(&samples, &task, &config);
     assert!(!whole.is_lower_bound());
-    // A sixth of each second is left.
+    // The log keeps a sixth of each second.
     samples.retain(|sample| sample.time.fract() < 1.0 / 6.0);
     let part = interpreted_with(&samples, &task, &config);
     assert!(part.is_lower_bound(), "{:?}", part.doubts);
@@ -132,7 +132,7 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
     let pushes = [
         // Up, off the surface.
         (Vector3::new(0.0, 0.0, 0.015), Vector3::new(0.0, 0.0, 15.0)),
-        // Aside: the saturate controller gives way and presses less.
+        // To the side: the saturating controller yields and presses less.
         (Vector3::new(0.0, 0.03, 0.0), Vector3::new(0.0, 15.0, 5.0)),
         // Down: the sponge gives way beyond its nominal compression.
         (
@@ -157,7 +157,7 @@ fn pushes_from_every_side_are_collisions_with_start_and_end() {
     }
 }
 
-/// What rubs a little more than usual for a while does not push yet.
+/// A friction that is a little higher than usual for a while is no push.
 #[test]
 fn a_push_begins_where_its_force_rises() {
     let script = Script::default();
@@ -350,7 +350,7 @@ fn any_force_in_free_motion_is_somebody() {
         assert_eq!(collisions.len(), 1, "{force}: {collisions:?}");
         assert_near_times(&collisions[0], free);
     }
-    // Inertia of the hand and noise are nobody.
+    // The inertia of the gripper and noise are no push.
     let faint = held(&[free], Vector3::zeros(), Vector3::new(0.0, 1.5, 0.0));
     assert_eq!(events(&interpreted(&faint), EventKind::Push), []);
 }
@@ -358,7 +358,7 @@ fn any_force_in_free_motion_is_somebody() {
 #[test]
 fn a_force_that_swings_is_nobody() {
     let [_, end] = Script::default().contacts()[0];
-    // The inertia of a long tool in free motion: to and fro every 40 ms.
+    // The inertia of a long tool in free motion: back and forth every 40 ms.
     let hand = |i: u32| {
         let start = end + 0.7 + 0.04 * f64::from(i);
         let size = if i.is_multiple_of(2) { 20.0 } else { -20.0 };
@@ -396,7 +396,7 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
     assert_eq!(events(&landing, EventKind::Overload), []);
 }
 
-/// As deep as this force presses the sponge the surface bears it, with or without a person.
+/// The surface bears the force that compresses the sponge to this depth, with or without a person.
 #[test]
 fn pressing_too_hard_is_an_overload_and_no_push() {
     let [start, _] = Script::default().contacts()[1];
@@ -404,7 +404,7 @@ fn pressing_too_hard_is_an_overload_and_no_push() {
     for (off, force) in [(-0.0075, 25.0), (-0.0125, 35.0)] {
         let off = Vector3::new(0.0, 0.0, off);
         for times in [[start, start + 0.8], [start + 1.0, start + 1.6]] {
-            // A tool that gives way as its spring does, and one that gives way no further.
+            // A tool that compresses as its spring does, and one that compresses no further.
             for off in [off, stiff] {
                 let script = held(&[times], off, Vector3::new(0.0, 0.0, force));
                 let interpretation = interpreted(&script);
@@ -423,7 +423,7 @@ fn pressing_too_hard_is_an_overload_and_no_push() {
 #[test]
 fn who_leads_the_tool_all_the_time_does_not_push_it() {
     let [_, end] = Script::default().contacts()[2];
-    // A hand that goes round, now this way and now that.
+    // A hand that circles, in alternating directions.
     let hand = |i: u32| {
         let start = 0.5 + 0.7 * f64::from(i);
         let (sin, cos) = (1.8 * f64::from(i)).sin_cos();
@@ -448,7 +448,7 @@ fn who_leads_the_tool_all_the_time_does_not_push_it() {
     );
 }
 
-/// Standing, a tool that no longer presses has lost its contact as well as one that goes on.
+/// A tool at rest that no longer presses has lost contact, like a moving one.
 #[test]
 fn contact_that_is_lost_at_rest_is_detected() {
     let [start, _] = Script::default().contacts()[1];
@@ -468,7 +468,8 @@ fn contact_that_is_lost_at_rest_is_detected() {
 fn a_push_that_lasts_into_free_motion_is_one() {
     let [_, end] = Script::default().contacts()[0];
     let up = (Vector3::new(0.0, 0.0, 0.03), Vector3::new(0.0, 0.0, 12.0));
-    // From the surface into the lift; there the tool runs ahead of the hand for a while.
+    // The push begins on the surface and continues during the lift, in which the tool moves ahead
+    // of the hand for a while.
     let whole = [end - 0.4, end + 1.2];
     let parts = [[whole[0], end + 0.4], [end + 0.55, whole[1]]];
     for times in [&[whole][..], &parts] {
@@ -477,7 +478,8 @@ fn a_push_that_lasts_into_free_motion_is_one() {
         assert_eq!(collisions.len(), 1, "{collisions:?}");
         assert_near_times(&collisions[0], whole);
     }
-    // On the surface, two are two; but nobody pushes twice within a third of a second.
+    // On the surface, two separate pushes are two events, unless they are less than a third of a
+    // second apart.
     let start = end - 2.0;
     let soon = [[start, start + 0.4], [start + 0.55, start + 1.0]];
     let soon_after = interpreted(&held(&soon, up.0, up.1));
@@ -497,7 +499,7 @@ fn a_push_that_lasts_into_free_motion_is_one() {
 fn contact_of_a_pushed_tool_follows_from_its_place_or_its_force() {
     let task = task(400, STEEP);
     let [start, end] = Script::default().contacts()[1];
-    // A hand takes the weight off the tool that it shoves, but leaves it where it was.
+    // A hand pushes the tool and reduces its press force, but does not move it.
     let script = held(
         &[[start + 0.3, end - 0.3]],
         Vector3::zeros(),
@@ -518,7 +520,7 @@ fn contact_of_a_pushed_tool_follows_from_its_place_or_its_force() {
     let by_place = share(&script, 0.0).mean;
     assert!(by_force < calm - 0.06, "{by_force} of {calm}");
     assert!((by_place - calm).abs() < 0.03, "{by_place} of {calm}");
-    // Where either may be, the interval holds both.
+    // If both hypotheses are possible, the interval holds both values.
     let either = share(&script, 0.5);
     assert!(either.low < by_force + 0.02, "{either:?}: {by_force}");
     assert!(either.high > by_place - 0.02, "{either:?}: {by_place}");
@@ -583,7 +585,7 @@ fn a_log_without_wiping_has_doubts_with_reasons() {
         let is_far = |doubt: &Doubt| matches!(doubt, Doubt::ContactFarFromSurface { .. });
         assert!(slow.iter().any(is_far), "{rate} Hz: {slow:?}");
     }
-    // It presses here and there, at any height, and slides nowhere.
+    // The tool presses at single places, at any height, and slides nowhere.
     let dab = |x: f64, y: f64| [Point2::new(x, y), Point2::new(x + 0.002, y)];
     let places = (0..12).map(|i| dab(-0.15 + 0.027 * f64::from(i), 0.02 * f64::from(i % 5)));
     let dabbing = doubts(&Script {

@@ -46,7 +46,7 @@ pub fn task(count: usize, likelihood: LogNormal) -> Task {
     }
 }
 
-/// As the knowledge base has it for a sponge and breadcrumbs.
+/// The values of the knowledge base for a sponge and breadcrumbs.
 pub const STEEP: LogNormal = LogNormal {
     mu: -1.05,
     sigma: 0.25,
@@ -62,22 +62,22 @@ fn uniform(count: usize) -> Vec<Point2> {
         .collect()
 }
 
-/// What is done to the tool at a time.
+/// A person's hand on the tool during an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hand {
     pub start: f64,
     pub end: f64,
-    /// How far the hand holds the tool off where it would be, in the axes of the surface [m].
+    /// Displacement of the tool by the hand, in the axes of the surface [m].
     pub off: Vector3,
-    /// Force on the tool instead of that of wiping, in the axes of the surface [N]; tool on surface.
+    /// Force on the tool in place of that of wiping, in the axes of the surface [N].
     pub force: Vector3,
 }
 
-/// How a log comes about.
+/// The parameters of a synthetic log.
 #[derive(Debug, Clone)]
 pub struct Script {
-    /// Ends of straight strokes in the surface frame; each begins with an approach and ends with a lift, unless it goes
-    /// on where the one before ended.
+    /// Ends of straight strokes in the surface frame; each begins with an approach and ends with a
+    /// lift, unless it continues from the end of the one before.
     pub strokes: Vec<[Point2; 2]>,
     /// Height of the real surface over the believed one, by place [m].
     pub surface: fn(Point2) -> f64,
@@ -92,11 +92,11 @@ pub struct Script {
     pub rate: f64,
     /// Time constant of the estimate of the force [s].
     pub force_lag: f64,
-    /// Sticking and slipping on the strokes [Hz].
+    /// Frequency of stick-slip on the strokes [Hz].
     pub stick_slip: f64,
     /// Speed of the strokes [m/s].
     pub speed: f64,
-    /// When the robot stands still on its way [s].
+    /// Intervals in which the robot stands still on its path [s].
     pub rests: Vec<[f64; 2]>,
 }
 
@@ -122,7 +122,7 @@ impl Default for Script {
     }
 }
 
-/// A leg of the way: from, to, speed; heights over nominal contact.
+/// A segment of the path: from, to, speed; heights over nominal contact.
 type Leg = (Point3, Point3, f64);
 
 impl Script {
@@ -141,7 +141,7 @@ impl Script {
                 }
             }
             legs.push((at(*from, 0.0), at(*to, 0.0), self.speed));
-            // A stroke that begins where this one ends goes on without a lift.
+            // A stroke that begins at the end of this one continues without a lift.
             if next.is_none_or(|[from, _]| from != to) {
                 legs.push((at(*to, 0.0), at(*to, LIFT), APPROACH_SPEED));
             }
@@ -149,7 +149,7 @@ impl Script {
         legs
     }
 
-    /// When each stroke begins and ends to be in full contact [s].
+    /// Interval of full contact of each stroke [s].
     pub fn contacts(&self) -> Vec<[f64; 2]> {
         let mut time = 0.0;
         let mut contacts = Vec::new();
@@ -163,7 +163,7 @@ impl Script {
         contacts
     }
 
-    /// For how long the robot has moved at a time [s].
+    /// Returns the duration of motion, without rests, until a time [s].
     fn moved(&self, time: f64) -> f64 {
         let rested = |[start, end]: &[f64; 2]| (time.min(*end) - start).max(0.0);
         time - self.rests.iter().map(rested).sum::<f64>()
@@ -220,7 +220,8 @@ impl Script {
         samples
     }
 
-    /// Where the tool centre point then is and what it feels, in the frame of the believed surface.
+    /// Returns the position of the tool centre point and the force on the tool at a time, in the
+    /// frame of the believed surface.
     fn felt(&self, time: f64, nominal: Point3, friction: Vector2) -> (Point3, Vector3) {
         let place = nominal.xy();
         // A press below the nominal one leaves the sponge less compressed.
@@ -234,7 +235,7 @@ impl Script {
             .iter()
             .find(|hand| (hand.start..hand.end).contains(&time));
         match hand {
-            // Quickly there and quickly gone: 20 ms.
+            // The displacement rises and falls within 20 ms.
             Some(hand) => {
                 let ramp = ((time - hand.start).min(hand.end - time) / 0.02).min(1.0);
                 (center + hand.off * ramp, hand.force)

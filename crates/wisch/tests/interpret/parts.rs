@@ -56,7 +56,7 @@ fn by_hand(found: &Interpretation) -> usize {
     events.filter(|event| event.kind.is_by_hand()).count()
 }
 
-/// Asserts that the contacts are reported at the heights 0 and `step` [m], half of them at each.
+/// Asserts that contacts are reported at the heights 0 and `step` [m], half of them at each.
 fn assert_two_heights(found: &Interpretation, step: f64, what: &str) {
     let is_heights = |doubt: &&Doubt| matches!(doubt, Doubt::SeveralHeights { .. });
     let Some(doubt) = found.doubts.iter().find(is_heights) else {

@@ -11,36 +11,37 @@ use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{InterpretConfig, TouchSample};
 use wisch::represent::Task;
 
-/// How many logs are read if `WISCH_LOGS` does not say so, and the seed of the first.
+/// Number of logs unless `WISCH_LOGS` sets it, and the seed of the first.
 const COUNT: u64 = 100;
 const FIRST_SEED: u64 = 1000;
 
-/// By how much an interval may miss what was so.
+/// Largest distance of the true share from the interval [1].
 const MOST_MISSED: f64 = 0.1;
 
-/// At least this share of the logs is answered.
+/// Least share of the logs that allow an estimate [1].
 const LEAST_ANSWERED: f64 = 0.8;
 
-/// What differs from the log that the task expects.
+/// The differences from the log that the task expects.
 #[derive(Debug)]
 struct Difference {
     scale: f64,
-    /// Added in the axes of the sensor [N].
+    /// Bias of the force in the axes of the sensor [N].
     bias: Vector3,
     is_turned: bool,
-    /// Which axis of the sensor is along the surface's normal: 0 its z, 1 against its z, 2 its x.
+    /// Axis of the sensor along the surface's normal: 0 for its z, 1 for its −z, 2 for its x.
     frame: u8,
     noise: f64,
-    /// By how much the forces are late [s].
+    /// Delay of the forces [s].
     late: f64,
     rate: f64,
-    /// How high the real surface is above the believed one [m], and how far it leans [rad] about which axis.
+    /// Height of the real surface above the believed one [m], its lean [rad], and the direction of
+    /// the axis of the lean [rad].
     height: f64,
     lean: f64,
     about: f64,
-    /// The part of the log that is there.
+    /// The part of the log that is kept: shares of its length at which it begins and ends [1].
     part: [f64; 2],
-    /// How many of the strokes were made.
+    /// Number of executed strokes.
     strokes: usize,
 }
 
@@ -79,8 +80,8 @@ impl Difference {
         }
     }
 
-    /// What was wiped, by the same law. What is cut while the tool is in the air is a whole log of fewer strokes: nothing
-    /// in it tells that there were others.
+    /// Returns the share that was wiped, by the same law. A log that is cut while the tool is in
+    /// the air counts as a whole log of fewer strokes, because it shows no others.
     fn wiped(&self, task: &Task, config: &InterpretConfig) -> f64 {
         let plain = Script {
             rate: 1000.0,

@@ -6,7 +6,8 @@ use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
 use wisch::represent::Task;
 
-/// What the script's log says if its forces are others, each given in the axes of the surface [N] with its time [s].
+/// Interprets the script's log with changed forces. `force` gets the time [s] and the force in the
+/// axes of the surface [N].
 fn read(script: &Script, force: impl Fn(f64, Vector3) -> Vector3) -> Interpretation {
     let task = task(80, STEEP);
     let samples: Vec<TouchSample> = (script.samples(&task).into_iter())
@@ -58,7 +59,7 @@ fn contact_is_found_at_any_force_and_the_force_is_said() {
             estimate.low < truth && truth < estimate.high + 0.01,
             "{scale}: {estimate:?}"
         );
-        // Pressed so softly, it matters whether the force is what it says.
+        // At so small a force, the scale of the measured force matters.
         assert!(!is_open || estimate.low < 0.3, "{scale}: {estimate:?}");
         let pressed = found.pressed_force.unwrap();
         assert!(
@@ -272,7 +273,7 @@ fn contacts_on_a_cylinder_are_reported_with_radius_and_axis() {
         "{:?}",
         concave.doubts
     );
-    // What gives way unevenly under a changing force is a plane.
+    // A plane stays a plane where the tool is compressed less by a smaller force.
     let weak = interpreted(&Script {
         press: |place| PRESS * (1.0 - 0.4 * (place.x / 0.16).powi(2)),
         ..Script::default()

@@ -25,7 +25,7 @@ fn shape_of(sides: [f64; 2], point: impl Fn(Point2) -> Point3) -> SurfaceShape {
     SurfaceShape::Mesh(Arc::new(shape))
 }
 
-/// Places along three strokes each way.
+/// Positions along three strokes in each direction.
 fn places(sides: [f64; 2]) -> Vec<Point2> {
     let lanes = [-0.4, 0.0, 0.4];
     let along = (0..200).map(|i| 0.9 * (f64::from(i) / 199.0 - 0.5));
@@ -72,7 +72,8 @@ fn offset(fit: &ShapeFit, shape: &SurfaceShape, sides: [f64; 2], moved: &Pose) -
     (squares.sum::<f64>() / places.len() as f64).sqrt()
 }
 
-/// Checks what contacts determine of a shape, and how near the fit is to the truth [m].
+/// Checks how many degrees of freedom of a shape contacts determine, and the distance of the fit
+/// from the truth [m].
 fn check(name: &str, shape: &SurfaceShape, sides: [f64; 2], determined: usize, limit: f64) {
     let moved = planted();
     let points = measured(shape, sides, &moved);

@@ -15,7 +15,8 @@ use wisch_testkit::{Relief, ReliefWipe};
 /// Number of logs unless `WISCH_LOGS` sets it, and the seed of the first.
 const COUNT: u64 = 40;
 const FIRST_SEED: u64 = 1000;
-/// Most by which an interval may miss the truth, and most of the contact that may be lost, where nothing is said [1].
+/// Largest distance of the truth from the interval, and largest lost share of contact, where no
+/// doubt is stated [1].
 const MOST_MISSED: f64 = 0.1;
 const MOST_LOST: f64 = 0.15;
 /// Relative error of a radius [1], and error of the axis [rad].
@@ -120,7 +121,7 @@ fn shapes(found: &Interpretation) -> Vec<Doubt> {
     found.doubts.iter().filter(is_shape).copied().collect()
 }
 
-/// Returns what is wrong with the reading of a log, given that of the same wipe over a plane.
+/// Returns the faults of the interpretation of a log, given that of the same wipe over a plane.
 fn fault(wipe: &ReliefWipe, found: &Interpretation, flat: &Interpretation) -> Option<String> {
     let (truth, estimate) = (flat.performance.mean, found.performance);
     let missed = (estimate.low - truth).max(truth - estimate.high);
@@ -341,7 +342,7 @@ fn on_a_known_cylinder_contact_is_read_as_on_a_plane() {
     }
 }
 
-/// A rigid motion of the cylinder is found; of the motions that touch does not tell, the least.
+/// A rigid motion of the cylinder is found; where touch does not determine it, the smallest one.
 #[test]
 fn a_known_cylinder_elsewhere_is_found_along_its_normals() {
     let shape = SurfaceShape::Cylinder {
@@ -374,7 +375,7 @@ fn a_known_cylinder_elsewhere_is_found_along_its_normals() {
         [0.15, -0.08],
         [0.15, 0.08],
     ] {
-        // Where the real surface lies over the surface as found.
+        // Height of the real surface over the surface as found.
         let real = believed * moved * shape.place(Point2::new(x, y), 0.0);
         let at = shape.chart(
             (world_from_surface.inverse() * real)

@@ -1,4 +1,4 @@
-//! Uneven pressure under a tool that stands inclined, and what nobody knows exactly.
+//! Uneven pressure under a tool that leans, and the uncertainty of parameters.
 
 use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{exact, interpreted_with};
@@ -8,7 +8,7 @@ use wisch::interpret::{
 };
 use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Surface, Task};
 
-/// Half of them respond at half the force.
+/// A law by which half of the particles respond at half the force.
 const HALF: LogNormal = LogNormal {
     mu: -std::f64::consts::LN_2,
     sigma: 0.25,
@@ -17,8 +17,8 @@ const HALF: LogNormal = LogNormal {
 const COLUMNS: [f64; 5] = [-0.03, -0.015, 0.0, 0.015, 0.03];
 const PER_COLUMN: usize = 300;
 
-/// Two strokes beside the particles tell the plane; then one along y over them, with half the force, the tool
-/// leaning by an angle about its y axis.
+/// Two strokes beside the particles determine the plane. A further one leads along y over them,
+/// with half the force and the tool leaning by an angle about its y axis.
 fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
     let mut samples = Vec::new();
     let mut at = |x: f64, y: f64, share: f64, lean: f64| {
@@ -36,7 +36,7 @@ fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
     let way = |i: i32| f64::from(i) * 1e-4;
     (0..1000).for_each(|i| at(0.5, way(i), 1.0, 0.0));
     (0..1000).for_each(|i| at(0.5 + way(i), 0.1, 1.0, 0.0));
-    // In the air to the particles.
+    // In the air, the tool moves to the particles.
     let lift = |i: i32| 1.0 - 0.1 * f64::from(i);
     (0..100).for_each(|i| at(0.6, 0.1, lift(i), 0.0));
     (0..200).for_each(|i| at(0.6 - 0.003 * f64::from(i), 0.1, -9.0, 0.0));
@@ -46,7 +46,7 @@ fn leaning(task: &Task, lean: f64) -> Vec<TouchSample> {
     samples
 }
 
-/// Share of each column that a leaning tool takes up.
+/// Share of each column that a leaning tool absorbs.
 fn taken(lean: f64) -> [f64; 5] {
     let mut task = task(0, HALF);
     let places: Vec<Point2> = (COLUMNS.iter())
@@ -96,7 +96,7 @@ fn board() -> (Task, Vec<TouchSample>) {
     (task, samples)
 }
 
-/// What a log tells of a goal that the sponge pushes towards, with some of it uncertain.
+/// Interprets the log of a sponge that pushes towards a goal, with some parameters uncertain.
 fn pushed(task: &Task, samples: &[TouchSample], uncertainty: Uncertainty) -> Interpretation {
     let goal = GoalState::Collected {
         center: Point2::new(0.16, 0.0),
@@ -120,7 +120,8 @@ fn the_interval_widens_with_all_that_is_uncertain() {
     let (task, samples) = board();
     let none = Uncertainty::NONE;
     let certain = pushed(&task, &samples, none);
-    // At full force every particle responds: little is left to chance, where the tool comes down and lifts.
+    // At full force every particle responds, so that little is random where the tool lands and
+    // lifts off.
     assert!(width(&certain) < 0.01, "{:?}", certain.performance);
     let default = Uncertainty::default();
     let (grasp_offset_m, grasp_turn) = (default.grasp_offset_m, default.grasp_turn);
@@ -157,7 +158,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             heap_depth: factor * uncertainty.heap_depth,
             ..uncertainty
         };
-        // All together leaves no room for a wider interval between 0 and 1.
+        // With all uncertainties together, the interval cannot become wider between 0 and 1.
         let pair = if uncertainty == default {
             [default, times(1.0 / 3.0)]
         } else {
@@ -171,7 +172,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
             ]
         };
         let widths = pair.map(|uncertainty| width(&pushed(&task, &samples, uncertainty)));
-        // Of what slips, the more slips the more of it lies where the next stroke takes it along.
+        // The more particles slip, the more of them lie where the next stroke carries them along.
         let slips_alone = uncertainty.slip_share > 0.0 && uncertainty.heap_depth == 0.0;
         assert!(
             slips_alone || widths[0] > widths[1],
@@ -194,7 +195,7 @@ fn the_interval_widens_with_all_that_is_uncertain() {
 #[test]
 fn a_force_known_badly_counts_where_contact_is_weak() {
     let task = task(400, STEEP);
-    // One stroke with full force tells the plane.
+    // One stroke with full force determines the plane.
     let script = Script {
         press: |place| {
             if place.y < -0.05 { PRESS } else { 0.4 * PRESS }
@@ -219,7 +220,8 @@ fn a_force_known_badly_counts_where_contact_is_weak() {
 #[test]
 fn a_stiffness_known_badly_counts_where_the_tool_leans() {
     let task = task(400, STEEP);
-    // A softer tool presses more evenly where the surface leans, which one stroke with full force tells.
+    // A softer tool presses more evenly where the surface leans, which one stroke with full force
+    // shows.
     let press = |place: Point2| {
         if place.y < -0.05 { PRESS } else { 0.15 * PRESS }
     };
@@ -254,7 +256,8 @@ fn without_a_touch_what_was_certain_stays_certain() {
     let interpretation = pushed(&task, &[], Uncertainty::default());
     let lie = |p: &Point2| (p - Point2::new(0.16, 0.0)).norm() <= 0.12;
     let share = task.particles.remaining().filter(lie).count() as f64 / 400.0;
-    // But for particles near the goal's rim, whose places are known to a millimetre or two.
+    // Only particles near the border of the goal are uncertain: positions are known to a millimetre
+    // or two.
     assert!((interpretation.performance.mean - share).abs() < 0.01);
     assert!(
         width(&interpretation) < 0.03,

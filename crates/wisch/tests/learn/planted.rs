@@ -1,4 +1,5 @@
-//! Worlds with a planted law: a sponge strokes over a board, harder here than there, and a camera looks before and after.
+//! Worlds with a planted law: a sponge wipes a board with a force that varies, and a camera
+//! observes it before and after.
 
 use super::super::interpret::log::{PRESS, STEEP, Script, task};
 use rand::RngExt;
@@ -11,9 +12,9 @@ use wisch::represent::{
     Effect, Interaction, LogNormal, LogNormalSpread, Observation, SensorModel, Sight, Task,
 };
 
-/// How hard the tool presses here and there, by log [N]: in two of them between 20 and 100 % of what was asked for; in the
-/// others so little that most grains need several draws to respond, but for one column, in which it is felt where the board
-/// is.
+/// Force of the tool by place, for each log [N]: in two of them between 20 and 100 % of the press
+/// force; in the others so small that most grains need several draws to respond, except for one
+/// column, which shows the height of the board.
 const PRESSES: [fn(Point2) -> f64; 4] = [
     |p| PRESS * (0.6 + 2.0 * p.x),
     |p| PRESS * (0.6 - 2.0 * p.x),
@@ -21,8 +22,8 @@ const PRESSES: [fn(Point2) -> f64; 4] = [
     |p| PRESS * if p.x < -0.1 { 0.95 } else { 0.28 },
 ];
 
-/// Ways over the board, by log: along it, the sponge's 7 cm over each place; dabs of 2 cm all over it; to and fro at each
-/// place, 3 cm seven times and 5 cm five times.
+/// Strokes over the board, by log: along it, the sponge's 7 cm over each place; strokes of 2 cm at
+/// all places; and back and forth at each place, 3 cm seven times or 5 cm five times.
 fn strokes(log: usize) -> Vec<[Point2; 2]> {
     let line = |from: [f64; 2], to: [f64; 2]| [Point2::from(from), Point2::from(to)];
     let (side, times) = match log {
@@ -61,7 +62,7 @@ pub struct Planted {
 }
 
 impl Planted {
-    /// Whether a particle that was exposed so has stayed.
+    /// Whether a particle with this exposure stays.
     fn stays(&self, exposure: &Exposure, force_scale: f64, random: &mut ChaCha8Rng) -> bool {
         let law = LogNormal {
             mu: self.mu,
@@ -79,7 +80,8 @@ impl Planted {
     }
 }
 
-/// Worlds that differ in their dirt, in how hard the tool really presses and in what the camera does.
+/// Worlds that differ in their dirt, in the real force of the tool and in the detections of the
+/// camera.
 pub struct World {
     planted: Planted,
     effect: Effect,
@@ -87,7 +89,7 @@ pub struct World {
     task: Task,
     logs: Vec<Vec<TouchSample>>,
     pub sight: Sight,
-    /// Standard deviation of the logarithm of what the force is off by in a round [1].
+    /// Standard deviation of the logarithm of the ratio of real to measured force in a round [1].
     pub force_share: f64,
 }
 
@@ -150,7 +152,7 @@ impl World {
             Point2::new(x * length, y * width)
         };
         let mut dirt: Vec<Point2> = (0..self.particles).map(|_| anywhere(&mut random)).collect();
-        // Where a threshold is kept, it is that of a particle.
+        // If thresholds are kept, each particle has one.
         let mut kept: Vec<f64> = dirt.iter().map(|_| random.random()).collect();
         let mut before = self.seen(&dirt, anywhere, &mut random);
         let mut felt: Vec<Interpreter> = Vec::new();
@@ -158,7 +160,7 @@ impl World {
         for round in 0..rounds {
             let log = (seed as usize + round) % self.logs.len();
             let scale = libm::exp(self.force_share * normal_pair(&mut random).x);
-            // The tool as it really sits in the hand is one of the guesses of another seed.
+            // The true pose of the tool in the hand is a guess of another seed.
             let really = self.interpreter(seed ^ 0x5eed, log);
             let exposures = really.exposures(&dirt, self.effect, 0.0, 1).unwrap();
             let mut moved = Vec::new();
@@ -253,7 +255,7 @@ impl World {
     }
 }
 
-/// How well dirt is seen.
+/// Returns the detection of the dirt by a camera.
 pub fn sight() -> Sight {
     let sensor = SensorModel::default();
     Sight {
@@ -262,7 +264,7 @@ pub fn sight() -> Sight {
     }
 }
 
-/// What the knowledge base has of a pair before.
+/// Returns the interaction of a pair before learning.
 pub fn interaction_of(tool: &str, medium: &str) -> Interaction {
     Interaction {
         tool: tool.into(),

@@ -96,7 +96,7 @@ fn velocities_are_checked_without_positions() {
 
 #[test]
 fn a_motion_does_not_begin_while_the_robot_moves() {
-    /// Is where the motion begins, but moves.
+    /// A robot at the begin of the motion that still moves.
     struct Moving(f64);
 
     impl Executor for Moving {
@@ -149,7 +149,7 @@ fn ready() -> Vec<f64> {
 
 #[test]
 fn a_motion_that_begins_elsewhere_is_not_executed() {
-    /// Says that it stands somewhere else than it is ready.
+    /// A robot that reports other positions than those of its ready posture.
     struct Elsewhere(f64);
 
     impl Executor for Elsewhere {
@@ -188,7 +188,7 @@ fn a_motion_that_begins_elsewhere_is_not_executed() {
 
 #[test]
 fn a_camera_that_fails_after_a_motion_loses_no_round() {
-    /// Sees once, before the first round.
+    /// Observes the dirt once, before the first round.
     struct Blinded(Toy, bool);
 
     impl Executor for Blinded {

@@ -1,4 +1,4 @@
-//! What is refused, and where it says that the fault is.
+//! Task files that are refused, and the locations that their errors state.
 
 use super::*;
 use wisch::geometry::Mesh;

@@ -27,7 +27,7 @@ pub enum Flow {
     Stop,
 }
 
-/// Why the solver ends before all solutions are found.
+/// The reason why the solver ends before all solutions are found.
 #[derive(Debug)]
 pub enum Stop {
     /// The engine must solve the goals.

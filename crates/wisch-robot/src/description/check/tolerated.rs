@@ -1,4 +1,5 @@
-//! Faults of a URDF with which other programs read it; each is corrected in what was read, with a warning.
+//! Faults of a URDF that other programs accept; each fault is corrected in the robot that was read,
+//! with a warning.
 
 use super::{joint, link};
 use crate::description::diagnostics::{Diagnostics, words};
@@ -10,7 +11,7 @@ use std::collections::BTreeMap;
 /// Name of the link that URDFs may leave out.
 const WORLD: &str = "world";
 
-/// Corrects what has one sensible reading.
+/// Corrects the faults that have only one sensible correction.
 pub(super) fn tolerate(urdf: &mut Urdf, report: &mut Diagnostics) {
     fix_floating_joints(urdf, report);
     add_world(urdf, report);

@@ -10,16 +10,17 @@ use std::str::FromStr;
 /// Deepest nesting of nodes and instanced nodes, which stops a node that instances itself.
 const MAX_DEPTH: usize = 64;
 
-/// Most nodes visited, as instances of instances multiply.
+/// Largest number of visited nodes, as instances of instances multiply.
 const MAX_VISITS: usize = 100_000;
 
-/// Most numbers per vertex of a primitive, and per element of an array.
+/// Largest number of numbers per vertex of a primitive, and per element of an array.
 const MAX_STRIDE: usize = 64;
 
-/// Most nodes (elements, texts, comments) of the XML; limits the memory that a small file can demand.
+/// Largest number of nodes (elements, texts, comments) of the XML; it limits the memory that a
+/// small file can demand.
 const MAX_XML_NODES: u32 = 2_000_000;
 
-/// Most attributes of one element, as the parser compares each with all others.
+/// Largest number of attributes of one element, as the parser compares each with all others.
 pub(crate) const MAX_ATTRIBUTES: usize = 5_000;
 
 type Element<'d> = Node<'d, 'd>;

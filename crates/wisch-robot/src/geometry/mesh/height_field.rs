@@ -5,7 +5,7 @@ use super::{MAX_COORDINATE, MAX_TRIANGLES, Mesh, MeshError, Point3};
 /// Height of a cell without data, unless the header states another.
 const NO_DATA: f64 = -9999.0;
 
-/// What stands before the heights.
+/// Header of a file, before the heights.
 #[derive(Default)]
 struct Header {
     columns: Option<usize>,
@@ -128,7 +128,7 @@ impl Header {
             "dx" => self.cell[0] = Some(size()?),
             "dy" => self.cell[1] = Some(size()?),
             "nodata_value" => {
-                // `nan` is a common value, and such heights are none anyway.
+                // `nan` is a common value; cells with such heights have no data in any case.
                 self.no_data = Some(
                     word.parse()
                         .map_err(|_| format!("{key} = {word:?} is not a number"))?,

@@ -3,9 +3,9 @@
 use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, check_coordinates};
 use crate::geometry::triangulation::cut_face;
 
-/// Most lines of a header.
+/// Largest number of lines of a header.
 const MAX_HEADER_LINES: usize = 10_000;
-/// Most corners of a face.
+/// Largest number of corners of a face.
 const MAX_CORNERS: usize = 10_000;
 
 /// Order of the bytes of a number, or text.
@@ -32,7 +32,7 @@ enum Scalar {
 /// A named value of each row of an element.
 struct Property {
     name: String,
-    /// Type of the length of a list; none for a single number.
+    /// Type of the length of a list; `None` for a single number.
     length: Option<Scalar>,
     scalar: Scalar,
 }
@@ -44,7 +44,7 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// What stands before the rows.
+/// Header of a file, before the rows.
 struct Header<'a> {
     encoding: Encoding,
     elements: Vec<Element>,

@@ -10,7 +10,8 @@ use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, height_field, obj_f
 use std::io;
 use std::path::Path;
 
-/// Most solids, groups or material changes of one file; each costs the parser about a kilobyte.
+/// Largest number of solids, groups or material changes of one file; each costs the parser about a
+/// kilobyte.
 const MAX_PARTS: usize = 100_000;
 
 /// Length of a binary STL's header including the triangle count [bytes], and of one triangle.

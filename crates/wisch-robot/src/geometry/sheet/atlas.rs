@@ -26,7 +26,8 @@ const AT_ONCE: usize = 4;
 /// 1 × 6 has 2.6.
 const LONGEST_BORDER: f64 = 2.6;
 
-/// A surface of a mesh, divided into patches of which each has a chart. Neighbouring patches meet at seams.
+/// A surface of a mesh, divided into patches with one chart each. Neighbouring patches meet at
+/// seams.
 ///
 /// ```
 /// use wisch_robot::geometry::{Atlas, Mesh, Point3, SheetConfig};
@@ -62,9 +63,9 @@ type Division = Vec<(Vec<u32>, Sheet)>;
 impl Atlas {
     /// Divides a mesh into few patches whose charts stay within the limit of the stretch, and at most `most`.
     ///
-    /// The patches are cells of about equal size or of about equal Gaussian curvature; or those that arise when patches
-    /// that are stretched too much are halved and neighbours are joined, if these are fewer. They are numbered so that
-    /// each is near the one before.
+    /// The patches are cells of about equal size or of about equal Gaussian curvature. If that
+    /// gives fewer patches, they arise from halving patches with too much stretch and joining
+    /// neighbours. Each patch is near the patch with the previous number.
     ///
     /// # Errors
     /// As [`Sheet::draft`], and as [`Sheet::check`] if `most` charts do not suffice.
@@ -121,8 +122,8 @@ impl Atlas {
             .collect()
     }
 
-    /// Returns the outlines of the patches on the surface unrolled as one piece \[m\], whatever its stretch. They are for
-    /// pictures: where that chart covers itself, so do the patches.
+    /// Returns the outlines of the patches on the surface unrolled as one piece \[m\], at any
+    /// stretch. They are for pictures: where that chart covers itself, the patches overlap.
     pub fn overview(&self) -> Vec<Polygon> {
         let places = unroll_places(&self.prepared.surface);
         let outlines = (self.cells.iter()).map(|cell| {
@@ -262,7 +263,7 @@ impl Search<'_> {
             .collect()
     }
 
-    /// Halves cells until none is refused; `None` if that takes more than [`MAX_CHARTS`].
+    /// Halves cells until each unrolls; `None` if that takes more than [`MAX_CHARTS`] cells.
     fn halve(&self, all: &[u32]) -> Option<Division> {
         let (mut found, mut open) = (Vec::new(), self.halves(all));
         while !open.is_empty() {
@@ -275,7 +276,7 @@ impl Search<'_> {
             for (cell, sheet) in open.into_iter().zip(sheets) {
                 match sheet {
                     Some(sheet) => found.push((cell, sheet)),
-                    // A triangle alone is flat.
+                    // A single triangle is flat.
                     None => refused.extend(self.halves(&cell)),
                 }
             }
@@ -345,7 +346,8 @@ impl Search<'_> {
     }
 }
 
-/// Whether a chart is neither long nor a bow nor a ring: tools wipe such charts in many short strokes.
+/// Whether a chart is compact: neither long, nor bow-shaped, nor a ring. Tools wipe other charts in
+/// many short strokes.
 fn is_compact(sheet: &Sheet) -> bool {
     let outline = sheet.outline();
     let border: f64 = outline
@@ -356,7 +358,8 @@ fn is_compact(sheet: &Sheet) -> bool {
         && outline.contains(Point2::origin())
 }
 
-/// Orders patches so that each is near the one before, beginning with the least x of the patches' middles.
+/// Orders patches so that each is near the previous one, beginning with the least x of the patches'
+/// middles.
 fn order(mut open: Division) -> Division {
     let middle = |(_, sheet): &(Vec<u32>, Sheet)| sheet.extend(Point2::origin()).point;
     let mut ordered: Division = Vec::new();

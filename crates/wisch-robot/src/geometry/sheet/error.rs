@@ -22,7 +22,7 @@ pub enum SheetError {
         /// Number of triangles.
         triangles: usize,
     },
-    /// The part has no border, so no side of it is meant.
+    /// The part has no border, so the wiped side is not defined.
     #[error(
         "this mesh is closed: {triangles} triangles without a border enclose a body, so it does not state which side is wiped"
     )]
@@ -36,7 +36,7 @@ pub enum SheetError {
         /// Largest angle of a normal from the direction to the tool \[rad\].
         lean: f64,
     },
-    /// The part has one side only, as a Möbius strip.
+    /// The part has only one side, like a Möbius strip.
     #[error(
         "the mesh has no consistent side: following its triangles around leads to the back of {}",
         place(at)

@@ -5,7 +5,8 @@ use super::topology::Triangles;
 use crate::geometry::{Point2, Vector2, Vector3};
 use std::collections::BTreeMap;
 
-/// Most rounds of rotating triangles and moving vertices. Developable parts need 2, other ones 60 to 120.
+/// Largest number of rounds of rotating triangles and moving vertices. Developable parts need 2,
+/// other parts 60 to 120.
 const MAX_ROUNDS: usize = 300;
 /// Rounds after which a chart may be abandoned. Later rounds change the stretch of few triangles.
 const TRIAL_ROUNDS: usize = 20;
@@ -69,9 +70,10 @@ pub(super) fn flat_triangles(surface: &Triangles) -> Vec<FlatTriangle> {
     surface.triangles.iter().map(flat).collect()
 }
 
-/// Returns a place in the chart for each vertex \[m\]: the chart's x points along `x_axis`, a unit vector across the mean
-/// normal, and the origin is the centroid of its area. The result has no scale of its own: lengths are those of the
-/// surface as far as possible. The rounds end early if `is_hopeless` says so of the places after [`TRIAL_ROUNDS`].
+/// Returns a place in the chart for each vertex \[m\]: the chart's x points along `x_axis`, a unit
+/// vector across the mean normal, and the origin is the centroid of its area. Lengths in the chart
+/// are those of the surface as far as possible. The rounds end early if `is_hopeless` holds for the
+/// places after [`TRIAL_ROUNDS`].
 pub(super) fn flatten(
     surface: &Triangles,
     flat: &[FlatTriangle],

@@ -10,9 +10,9 @@ use parry3d_f64::shape::{TriMesh, TrianglePointLocation};
 
 /// Tolerance of a place on an edge, in barycentric coordinates [1].
 const ON_EDGE: f64 = 1e-9;
-/// Triangles that the search for a foot visits at most.
+/// Largest number of triangles that the search for a foot visits.
 const MAX_WALK: usize = 64;
-/// Newton steps in a triangle at most.
+/// Largest number of Newton steps in a triangle.
 const MAX_NEWTON: usize = 20;
 
 /// Triangle and barycentric coordinates of a point.

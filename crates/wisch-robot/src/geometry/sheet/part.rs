@@ -5,27 +5,28 @@ use super::topology::{Triangles, nearest_in_triangle};
 use super::weld::{MeshRepairs, weld};
 use crate::geometry::{Mesh, Point3, Vector3};
 
-/// Largest angle of a normal from the direction to the tool at which a triangle of a closed mesh counts to the wiped side
-/// \[rad\], unless the caller gives another.
+/// Largest angle of a normal from the direction to the tool at which a triangle of a closed mesh
+/// belongs to the wiped side \[rad\], unless the caller gives another.
 pub const SIDE_LEAN: f64 = 1.2;
 
-/// Which part and side of a mesh is meant.
+/// The part and the side of a mesh that are wiped.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PartChoice {
-    /// A point near the part \[m\]; without it, the largest part is meant.
+    /// A point near the part \[m\]; without it, the largest part is taken.
     pub seed_point: Option<Point3>,
-    /// Direction from the surface to the tool, of any length; without it, the sides of the file's triangles count.
+    /// Direction from the surface to the tool, of any length; without it, the side follows from the
+    /// orientation of the file's triangles.
     pub towards: Option<Vector3>,
     /// Largest angle of a normal from `towards` \[rad\]; without it, [`SIDE_LEAN`] for a closed mesh and none for another.
     pub largest_lean: Option<f64>,
 }
 
-/// What a mesh is made of, and which part of it was taken.
+/// Properties of a mesh, and the part of it that was taken.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshSurvey {
     /// Number of triangles in the file.
     pub triangles: usize,
-    /// What was repaired.
+    /// Number of repairs of the mesh, by kind.
     pub repairs: MeshRepairs,
     /// Areas of the connected parts \[m²\], the largest first.
     pub part_areas: Vec<f64>,
@@ -35,7 +36,7 @@ pub struct MeshSurvey {
     pub part_triangles: usize,
     /// Number of triangles that belong to the side that was taken.
     pub side_triangles: usize,
-    /// Triangles of the part that the file orients against the other ones.
+    /// Number of triangles of the part whose orientation in the file contradicts the others.
     pub flipped: usize,
     /// Whether the whole side was turned to face the tool.
     pub is_turned: bool,
@@ -54,11 +55,11 @@ pub(super) struct WipedPart {
     pub(super) survey: MeshSurvey,
 }
 
-/// Takes the part and the side that are meant.
+/// Takes the part and the side that `choice` defines.
 ///
 /// # Errors
-/// If the part is closed and no direction to the tool is given, no triangle faces it, the part has no consistent side, or
-/// no triangle has an area.
+/// If the part is closed and no direction to the tool is given, no triangle faces it, the part has
+/// no consistent side, or no triangle has an area.
 pub(super) fn take_part(mesh: &Mesh, choice: &PartChoice) -> Result<WipedPart, SheetError> {
     let (welded, repairs) = weld(mesh);
     let area = welded.area();

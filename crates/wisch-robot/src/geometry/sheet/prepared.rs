@@ -17,12 +17,12 @@ const EDGE_SHARE: f64 = 0.25;
 /// Longest edge of the samples of a mesh of very many triangles, relative to that of the chart [1].
 const SAMPLE_SHARE: f64 = 1.0 / 3.0;
 
-/// How a sheet is made of a mesh.
+/// Settings with which a sheet is made of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SheetConfig {
     /// Radius r_s of the tool's collision sphere \[m\]: shapes much smaller than the tool are smoothed.
     pub tool_radius: f64,
-    /// Which part and side of the mesh is meant.
+    /// The part and the side of the mesh that are wiped.
     pub choice: PartChoice,
     /// Largest stretch of 99 % of the area \[1\].
     pub stretch_limit: f64,
@@ -54,7 +54,7 @@ pub(super) struct Prepared {
 }
 
 impl Prepared {
-    /// Takes the part that is meant, remeshes and smooths it.
+    /// Takes the chosen part, remeshes and smooths it.
     pub(super) fn new(mesh: &Mesh, config: &SheetConfig) -> Result<Self, SheetError> {
         check_settings(config)?;
         let part = take_part(mesh, &config.choice)?;

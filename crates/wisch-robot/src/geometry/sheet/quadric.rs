@@ -209,7 +209,8 @@ fn fit(samples: &Samples, near: &[u32], point: Point3, normal: Vector3, radius: 
             right += row * (z * weight);
         }
         let scale = matrix[(0, 0)].max(f64::MIN_POSITIVE);
-        // Where the samples lie on a line or in a corner, the coefficients that they leave open stay small.
+        // If the samples lie on a line or in a corner, the ridge keeps undetermined coefficients
+        // small.
         for k in 0..6 {
             matrix[(k, k)] += RIDGE * scale;
         }
@@ -221,7 +222,7 @@ fn fit(samples: &Samples, near: &[u32], point: Point3, normal: Vector3, radius: 
             return result;
         }
         let bend = [-c[3], -c[4], -c[5]].map(|bend| bend.clamp(-MAX_BEND, MAX_BEND) / radius);
-        // Far from the samples, the quadric says nothing about the position.
+        // Far from the samples, the position on the quadric is meaningless.
         let is_near = (result.point + result.normal * (c[0] * radius) - point).norm()
             <= MAX_SHIFT * radius
             && c[1].hypot(c[2]) <= MAX_SLOPE;

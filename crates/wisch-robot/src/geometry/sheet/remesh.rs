@@ -125,7 +125,7 @@ impl Changing {
         doubled.try_normalize(MIN_HEIGHT * longest * longest)
     }
 
-    /// Whether every triangle keeps its side.
+    /// Whether every triangle keeps its orientation.
     fn keeps_normal(&self, before: [u32; 3], after: [u32; 3]) -> bool {
         match (self.normal(before), self.normal(after)) {
             (_, None) => false,

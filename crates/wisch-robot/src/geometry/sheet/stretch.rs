@@ -1,4 +1,4 @@
-//! How much a chart stretches lengths.
+//! Stretch of lengths in a chart.
 
 use super::flatten::{FlatTriangle, doubled_area};
 use super::topology::Triangles;
@@ -8,7 +8,7 @@ use nalgebra::Matrix2;
 /// Share of the area that must be within the limit of the stretch [1].
 const LIMITED_SHARE: f64 = 0.99;
 
-/// By how much lengths in a chart differ from those on the surface.
+/// Differences of lengths in a chart from those on the surface.
 ///
 /// The stretch of a triangle is max(σ₁, 1/σ₂) − 1, with the singular values σ₁ ≥ σ₂ of its map into the chart.
 #[derive(Debug, Clone, Copy, PartialEq)]

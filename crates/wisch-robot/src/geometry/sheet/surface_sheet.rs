@@ -401,7 +401,7 @@ impl Sheet {
         &self.stretch
     }
 
-    /// What the mesh is made of.
+    /// Properties of the mesh from which the sheet was made.
     pub fn survey(&self) -> &MeshSurvey {
         &self.survey
     }
@@ -493,7 +493,7 @@ impl Unrolled {
         };
         let with_places = |places: Vec<Point2>| {
             let stretches = triangle_stretches(surface, &flat, &places);
-            // Only what lies within the seams counts.
+            // Only triangles within the seams count.
             let counted = (stretches.iter().enumerate())
                 .map(|(t, &stretch)| if prepared.is_beyond(t) { 0.0 } else { stretch })
                 .collect();

@@ -92,7 +92,7 @@ pub(super) fn joint_efforts(
         })
         .collect();
     if let Some(load) = load {
-        // The joints carry what the surface does not.
+        // The surface carries the press force, and the joints carry the rest.
         let tip = load.cell.tip().index();
         let Frame { rotation, origin } = links[tip].frame;
         let place = origin + rotation * load.cell.tip_from_tool().translation.vector;

@@ -10,8 +10,8 @@ use parry3d_f64::shape::TriMesh;
 
 /// Number of points along each side of the footprint under which normals are taken.
 const POINTS: usize = 9;
-/// Largest lean of the tool over the mean normal under it [rad]: 4.6°. Over creases, the normal of the chart, which is smoothed,
-/// differs from that of the mesh by 4°.
+/// Largest angle between the tool's axis and the mean normal of the mesh under the tool [rad]:
+/// 4.6°. Over creases, the smoothed normal of the chart differs from that of the mesh by 4°.
 const MAX_LEAN: f64 = 0.08;
 /// Allowed distance of the tool centre point from the mesh, besides what smoothing moved [m].
 const DISTANCE_TOLERANCE: f64 = 1e-3;
@@ -26,7 +26,7 @@ pub(super) struct OffMesh {
 }
 
 impl OffMesh {
-    /// Whether this is worse than another.
+    /// Whether this deviation is worse than another one.
     pub fn exceeds(&self, other: &Self) -> bool {
         self.distance / DISTANCE_TOLERANCE + self.lean / MAX_LEAN
             > other.distance / DISTANCE_TOLERANCE + other.lean / MAX_LEAN
@@ -80,7 +80,8 @@ impl GivenMesh {
         })
     }
 
-    /// Returns how a tool lies on the mesh. `is_beyond`: its centre is beyond the border.
+    /// Returns how a tool lies on the mesh. `is_beyond`: whether the tool centre point is beyond
+    /// the border of the surface.
     pub fn measure(&self, surface_from_tool: &Frame, is_beyond: bool) -> OffMesh {
         let axis: Vector3 = surface_from_tool.rotation.column(2).into_owned();
         let nearest = |point: Vector3| {
@@ -88,7 +89,8 @@ impl GivenMesh {
             let (found, (triangle, _)) = self.mesh.project_local_point_and_get_location(at, false);
             (found.point.distance(at), triangle as usize)
         };
-        // The side of the tool counts, whichever way the file turns its triangles.
+        // Normals are taken on the tool's side of the mesh, for either orientation of the triangles
+        // in the file.
         let mean = self.points.iter().fold(Vector3::zeros(), |sum, point| {
             let normal = self.normals[nearest(surface_from_tool.point(point)).1];
             sum + normal * normal.dot(&axis).signum()

@@ -54,8 +54,8 @@ struct Reached {
     worst: LineDeviation,
 }
 
-/// Number of chords that stay within the allowed distance of the arc between two places, which a curved surface makes of a
-/// straight line.
+/// Returns the number of chords that stay within [`MAX_SAGITTA`] of the arc between two places: on
+/// a curved surface, a straight line of the chart is an arc.
 fn arcs(task: &Task, from: &[f64; 5], to: &[f64; 5]) -> f64 {
     let (radius, axis) = match &task.surface.shape {
         SurfaceShape::Plane => return 0.0,
@@ -69,7 +69,7 @@ fn arcs(task: &Task, from: &[f64; 5], to: &[f64; 5]) -> f64 {
     across.abs() / longest.min(MAX_TURN * radius.abs())
 }
 
-/// The same on a cone, where the tightest bend of the way counts.
+/// Returns the number of chords on a cone, by the tightest bend along the way.
 fn arcs_on_cone(cone: &Cone, from: &[f64; 5], to: &[f64; 5]) -> f64 {
     let way = Edge {
         start: Point2::new(from[0], from[1]),
@@ -97,7 +97,7 @@ fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
     let mut tool = Frame::rotate_about(&Vector3::z(), heading);
     match &task.surface.shape {
         SurfaceShape::Plane => tool.origin = Vector3::new(x, y, height),
-        // Whether the tool is on the mesh as given is checked apart.
+        // `given_mesh.rs` checks the tool against the mesh as given.
         shape @ SurfaceShape::Mesh(_) => {
             tool = Frame::from_pose(&shape.place(Point2::new(x, y), height)).then(&tool);
         }
@@ -114,8 +114,9 @@ fn placed(task: &Task, [x, y, height, heading, tilt]: [f64; 5]) -> Frame {
     Frame::from_pose(&task.surface.world_from_surface).then(&tool)
 }
 
-/// Returns the frame over a place of a chart that is rolled onto a cylinder: in the chart, the plane is turned about the
-/// axis of the cylinder, which lies its radius below the plane, and moved along it.
+/// Returns the frame over a place of a chart that is rolled onto a cylinder. The plane is turned
+/// about the axis of the cylinder, which lies one radius below the plane, and moved along that
+/// axis.
 fn roll(radius: f64, axis: f64, at: Vector3) -> Frame {
     let along = Vector3::new(axis.cos(), axis.sin(), 0.0);
     let across = Vector3::z().cross(&along);
@@ -292,8 +293,8 @@ fn join(a: LineDeviation, b: LineDeviation) -> LineDeviation {
 }
 
 impl Segment {
-    /// Returns the share of the segment that is nearest to the tool, also beyond its ends. It goes by the
-    /// position, or by the orientation if the segment is mostly a rotation.
+    /// Returns the share of the segment that is nearest to the tool, also beyond the ends of the
+    /// segment. It is the share by position, or by orientation if the segment is mostly a rotation.
     fn nearest(&self, tool: &Frame) -> f64 {
         let (way, turn) = (self.way, self.turn);
         if way.norm() >= METRES_PER_RADIAN * turn.norm() && way.norm() > 0.0 {

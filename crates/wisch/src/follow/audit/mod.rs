@@ -41,7 +41,7 @@ const GRAVITY: Vector3 = Vector3::new(0.0, 0.0, -9.81);
 const EFFORT_TOLERANCE: f64 = 1e-6;
 /// Relative excess of the tool's speed over its limit that is allowed [1].
 const SPEED_TOLERANCE: f64 = 0.01;
-/// Distances beyond this are all reported as this [m].
+/// Largest distance that is reported [m]; greater distances are reported as this value.
 const FAR: f64 = 0.5;
 
 /// A fault that the audit found in a motion, with its place and value.
@@ -88,7 +88,7 @@ pub enum MotionFault {
         /// Press force that it includes \[N\]; `None` out of contact.
         press: Option<f64>,
     },
-    /// A motion does not begin where and when the last one ends.
+    /// A motion does not begin at the position and time at which the previous motion ends.
     #[error(
         "motion {motion} begins {step} (rad or m) away from the end of the last motion and {gap} s after it; expected no step and no gap"
     )]
@@ -142,13 +142,14 @@ pub enum MotionFault {
         /// Position of the tool centre point in the surface frame \[m\].
         place: [f64; 2],
     },
-    /// The pressed tool is off the mesh of its surface as given, or leans over it.
+    /// The pressed tool is too far from the given mesh of its surface, or its axis deviates from
+    /// the mesh's normal.
     #[error(
         "at {time:.3} s: the pressed tool is {:.1} mm off the mesh of the surface {surface:?} and leans by {:.1}° over it, at ({:.3}, {:.3}) m in its chart",
         1e3 * distance, lean.to_degrees(), place[0], place[1]
     )]
     OffMesh {
-        /// Time at which it is worst \[s\].
+        /// Time of the largest deviation \[s\].
         time: f64,
         /// Name of the surface.
         surface: String,
@@ -156,10 +157,11 @@ pub enum MotionFault {
         place: [f64; 2],
         /// Distance of the tool centre point from the mesh \[m\].
         distance: f64,
-        /// Angle between the tool's axis and the mean normal of the mesh under the tool \[rad\]; 0 of a tool that may lean.
+        /// Angle between the tool's axis and the mean normal of the mesh under the tool \[rad\]; 0
+        /// for a tool that may lean.
         lean: f64,
     },
-    /// The tool leaves its line.
+    /// The tool is too far from its planned line.
     #[error("motion {motion}: the tool leaves its line by {position:.5} m and {rotation:.5} rad")]
     OffLine {
         /// Index of the motion.
@@ -184,7 +186,7 @@ pub enum MotionFault {
         /// What the limit is for: `in contact`, `on the way to the surface` or `out of contact`.
         of: &'static str,
     },
-    /// The second hand leaves its grip on the tool.
+    /// The second hand is off its grip on the tool.
     #[error(
         "at {time:.3} s: the second hand is {position:.5} m off its grip and leans {lean:.4} rad beyond its limit"
     )]
@@ -211,8 +213,9 @@ pub struct Audit {
     pub line: LineDeviation,
     /// Largest deviation of the second hand from its grip over all motions; zero if one hand holds the tool.
     pub grip: GripDeviation,
-    /// Smallest distance of bodies that must not touch, at most 0.5 m \[m\]. The tool against the object that
-    /// carries the surface counts only while the tool is not coming down, wiping or lifting off.
+    /// Smallest distance of bodies that must not touch, at most 0.5 m \[m\]. The distance between
+    /// the tool and the object that carries the surface counts only in phases other than lowering,
+    /// wiping and lifting off.
     pub min_clearance: f64,
     /// All faults; empty for a sound motion.
     pub faults: Vec<MotionFault>,
@@ -228,18 +231,19 @@ fn joint_suffix(fault: &TrajectoryFault, joint: &Option<String>) -> String {
 
 /// Checks every motion against the limits of the robot, the cell and the task.
 ///
-/// - Position, velocity and acceleration of every joint are within its limits, mimic joints included.
+/// - Positions, velocities and accelerations of all joints, mimic joints included, are within their
+///   limits.
 /// - Efforts for the robot's own weight and inertia, and in contact for the press force, are within their limits. The
 ///   press force is not counted for a tool in two hands.
 /// - Bodies keep their clearance at every time.
 /// - The tool keeps its limits of speed and its line, and the second hand its grip.
-/// - Each motion begins where and when the last one ends.
+/// - Each motion begins at the position and time at which the previous motion ends.
 /// - The base stands still while the tool is down.
 /// - Only the pad in contact is in the target surface, and nothing is behind it.
 /// - The tool is pressed over no hole.
 ///
 /// # Errors
-/// The motions are not of this robot.
+/// If the motions do not have the variables of this robot.
 pub fn audit(
     followed: &Followed,
     cell: &Workcell,
@@ -297,7 +301,7 @@ fn samples(trajectory: &Trajectory, period: f64) -> Vec<TrajectorySample> {
     times.map(|time| trajectory.sample(time)).collect()
 }
 
-/// The moving joints: the n variables, then their mimic joints.
+/// The moving joints: the n variables of the robot, then its mimic joints.
 struct MovingJoints<'a> {
     robot: &'a RobotModel,
     followers: Vec<&'a Joint>,
@@ -493,7 +497,8 @@ fn check_efforts(
     }
 }
 
-/// Returns the effort of each joint, of those through all joints: that of a variable with all joints that it moves.
+/// Returns the effort of each joint from the efforts `through` all joints: a variable's effort
+/// includes those of all joints that it moves.
 fn driven_efforts(robot: &RobotModel, through: &[f64]) -> Vec<f64> {
     let mut efforts = through.to_vec();
     let mut of_variables = vec![0.0; robot.dof()];

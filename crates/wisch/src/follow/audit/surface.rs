@@ -12,7 +12,8 @@ use nalgebra::UnitQuaternion;
 const DEPTH_TOLERANCE: f64 = 1e-4;
 /// Depth of the space behind the surface that the tool must avoid [m].
 const BEHIND: f64 = 1.0;
-/// Largest distance of an edge of a body from a curved surface's chart that its ends do not show [m].
+/// Largest sagitta [m] by which the middle of a body's edge may be nearer to a curved surface than
+/// its ends.
 const MAX_SAGITTA: f64 = 1e-4;
 /// Longest edge of a body over a mesh [m].
 const EDGE_OVER_MESH: f64 = 0.04;
@@ -48,7 +49,8 @@ pub(super) struct SurfaceCheck<'a> {
     waits_behind: bool,
     /// The mesh of the surface, if it has one.
     given: Option<GivenMesh>,
-    /// Box in the frame of the surface beyond which no edge of a body meets a mesh [m]; `None` of another surface.
+    /// Box in the frame of the surface [m]: no edge of a body beyond it meets the mesh; `None` for
+    /// a surface without a mesh.
     near: Option<[Vector3; 2]>,
 }
 
@@ -64,7 +66,8 @@ pub(super) enum SurfaceFault {
     },
     /// The tool is pressed over a hole.
     OverHole { time: f64, place: Point2 },
-    /// The pressed tool is off the mesh as given, or leans over it.
+    /// The pressed tool is too far from the given mesh, or its axis deviates from the mesh's
+    /// normal.
     OffMesh {
         time: f64,
         place: Point2,
@@ -267,7 +270,7 @@ impl<'a> SurfaceCheck<'a> {
         let mut over_hole: Option<(f64, Point2)> = None;
         let mut off_mesh: Option<(f64, Point2, OffMesh)> = None;
         let mut before: Option<Vec<Frame>> = None;
-        // Of each body, its vertices at the last sample, where they were needed.
+        // For each body its vertices at the previous sample, if they were computed.
         let mut corners_before: Vec<Option<Vec<Vector3>>> = vec![None; bodies.len()];
         for sample in samples {
             let frames = self.frames(&sample.q);
@@ -324,7 +327,8 @@ impl<'a> SurfaceCheck<'a> {
         let is_far = |point: &Vector3| near.is_some_and(|near| distance_to_box(point, near) > 0.0);
         vertices
             .map(|p| match surface_from_link.point(p) {
-                // Of the links, only what may meet the mesh counts; NaN is on no side of it.
+                // Only vertices of links that may meet the mesh count; NaN is on neither side of
+                // the surface.
                 point if is_far(&point) => Vector3::repeat(f64::NAN),
                 point => unroll(shape, point),
             })
@@ -485,7 +489,7 @@ impl<'a> SurfaceCheck<'a> {
     }
 }
 
-/// Returns the bounds of a mesh, with the length of an edge around them [m].
+/// Returns the bounds of a mesh, extended on all sides by twice the longest edge of a body [m].
 fn near_mesh(shape: &SurfaceShape) -> Option<[Vector3; 2]> {
     let SurfaceShape::Mesh(mesh) = shape else {
         return None;

@@ -155,7 +155,7 @@ impl<'a> Arm<'a> {
                     positions.all(|position| (range.lower..=range.upper).contains(&position))
                 })
             };
-            // From the nearest turn towards none.
+            // From the largest number of turns towards 0.
             let nearest = ((from[i] - first[i]) / TAU).round();
             let counts = (0..=nearest.abs() as usize).rev();
             let mut turns = counts.map(|count| count as f64 * TAU.copysign(nearest));
@@ -217,8 +217,8 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// Finds approximately the nearest configuration to `start` with the tool at a position with any yaw. For
-    /// one arm alone.
+    /// Returns a configuration about as near to `start` as possible, with the tool at a position
+    /// and at any yaw. For one arm alone.
     pub fn nearest_with_free_yaw(
         &self,
         pose: &ToolPose,
@@ -306,10 +306,10 @@ impl<'a> Arm<'a> {
         surface.chart_from_tool(&(self.base_from_world.inverse() * base_from_tool))
     }
 
-    /// Returns configurations that lift the tool along the surface's normal with its orientation kept; `from`
-    /// is left out.
+    /// Returns configurations that lift the tool along the surface's normal and keep its
+    /// orientation; `from` is left out.
     ///
-    /// `free_path`: height of the lift [m], more than 0.
+    /// `way`: height of the lift [m], more than 0.
     pub fn lift_path(
         &self,
         from: &JointPositions,
@@ -416,7 +416,8 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// Returns a configuration with the second hand brought back to the tool.
+    /// Returns the configuration with the second hand brought back to the tool; `None` if it does
+    /// not reach the tool.
     pub fn hold(&self, q: &JointPositions) -> Option<JointPositions> {
         let (leading, second) = q.split_at(self.leading());
         self.hold_near(leading, second).ok()
@@ -558,7 +559,7 @@ impl<'a> Arm<'a> {
     fn obstruction(&self, contact: &Contact, allowed: AllowedContact) -> Obstruction {
         let model = self.cell.arm_collisions(allowed);
         let (a, b) = (model.name(contact.a), model.name(contact.b));
-        // A pair that is not surely clear counts as at the limit.
+        // The distance of a pair that is not proven to be clear is at most the limit.
         let within = |limit: f64| contact.distance.min(limit);
         let Margins { own, obstacles } = self.margins;
         match (self.cell.is_obstacle(a), self.cell.is_obstacle(b)) {
@@ -580,8 +581,8 @@ impl<'a> Arm<'a> {
         }
     }
 
-    /// Returns the configurations along the tool's line from `start`, which is left out; the end is included.
-    /// Where there is a choice they lead to `near`, if given.
+    /// Returns the configurations along the tool's line from `start`, which is left out; the end is
+    /// included. Redundant joints move towards `near`, if given.
     ///
     /// Collisions are checked only after all poses have been reached, at the most likely places first. Most
     /// lines that cannot be followed end out of reach, which is cheap to detect.

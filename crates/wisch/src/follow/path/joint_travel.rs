@@ -132,7 +132,8 @@ fn apply_step(
     moved.collect()
 }
 
-/// Returns approximately the nearest configuration to `near` that touches down at a place without collision.
+/// Returns a configuration about as near to `near` as possible that touches down at a place without
+/// collision.
 pub(super) fn touch_down_near(
     arm: &Arm,
     place: Point2,

@@ -119,7 +119,7 @@ pub(in crate::follow) fn run(
         attempts: Vec::new(),
         best: None,
     };
-    // Where the orientation does not matter, it need not be kept.
+    // If the orientation does not matter, it need not be kept.
     let is_exact = arm.keeps_heading && search.try_any(&exact, EXACT_STARTS);
     if !is_exact
         && !search.try_any(orientations, STARTS)
@@ -381,8 +381,9 @@ fn wipe(
     contact
 }
 
-/// Lifts the tool at the end of a stroke. If that fails, lifts it at the last node before where it can; the
-/// rest continues in another configuration. At the first node the tool goes up as it came down.
+/// Lifts the tool at the end of a stroke. If that fails, the tool is lifted at the last earlier
+/// node at which that is possible, and the rest continues in another configuration. At the first
+/// node, the tool goes up the way that it came down.
 fn lift_off(
     arm: &Arm,
     touch_down: &TouchDown,

@@ -101,7 +101,7 @@ fn multiples(min: f64, max: f64, increment: f64, whole_turn: bool) -> Vec<f64> {
     let last = ((max + slack) / increment).floor() as i64;
     let mut values: Vec<f64> = (first..=last).map(|i| i as f64 * increment).collect();
     if whole_turn && values.len() > 1 {
-        // Half a turn in either direction is the same.
+        // Half a turn in either direction gives the same orientation.
         values.remove(0);
     }
     if values.is_empty() {

@@ -23,11 +23,11 @@ pub struct HeldTool {
     pub link: String,
     /// The tool in the frame of that link.
     pub tip_from_tool: Pose,
-    /// How it is held; `None` if the pose itself is given.
+    /// How the tool is held; `None` if its pose is given.
     pub mount: Option<Mount>,
     /// The link's axis that points out of the hand.
     pub axis: LinkAxis,
-    /// Where that comes from.
+    /// Source of the mount: declared or assumed.
     pub source: MountSource,
     /// The holder between a flange and the tool at a declared distance from it, which collision checks include.
     pub holder: Option<HolderCylinder>,
@@ -41,7 +41,7 @@ pub struct HeldTool {
 pub enum MountSource {
     /// The task, the knowledge base or the caller declares it.
     Declared,
-    /// The SRDF has an end effector that leans over its tool.
+    /// The SRDF has an end effector at the group's tip, and may give its lean over the tool.
     Srdf,
     /// Nothing declares it: the tool is square on the flange.
     Assumed,

@@ -36,9 +36,9 @@ pub struct PlanningGroup {
 /// Where motions begin because no state of an SRDF says so.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StartAssumption {
-    /// What the SRDF lacks, as the end of a sentence about the robot.
+    /// What the SRDF lacks: the end of a sentence about the robot.
     pub lacks: String,
-    /// Where motions begin, with the assumed positions \[rad or m\], as the end of a sentence.
+    /// Where motions begin, with the assumed positions \[rad or m\]: the end of a sentence.
     pub begins: String,
 }
 
@@ -47,7 +47,7 @@ impl PlanningGroup {
     /// [`find_arms`] finds, and without an arm the longest chain.
     ///
     /// # Errors
-    /// The SRDF has no group of that name.
+    /// [`FollowError::UnknownGroup`] if the SRDF has no group of that name.
     pub fn choose(
         robot: &RobotModel,
         srdf: Option<&Srdf>,
@@ -73,8 +73,9 @@ impl PlanningGroup {
         })
     }
 
-    /// Returns how the group holds a tool whose mount is not declared, and where that comes from: the SRDF's lean of the
-    /// hand on the group's tip, else a square mount is assumed.
+    /// Returns how the group holds a tool whose mount is not declared, and the source of this
+    /// mount: the end effector of the SRDF at the group's tip. Without one, a square mount is
+    /// assumed.
     pub fn mount(&self, srdf: Option<&Srdf>) -> (Mount, MountSource) {
         let holder = srdf.and_then(|srdf| srdf.tool_holder(self.tip));
         match holder.map(|holder| holder.hand_lean) {

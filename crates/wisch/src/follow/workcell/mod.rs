@@ -1,4 +1,5 @@
-//! The work cell: the robot, its tool and the scene, with what may move and what is in the way.
+//! The work cell: the robot, its tool and the scene, with the movable variables and the collision
+//! models.
 
 mod collisions;
 mod grasp;
@@ -51,8 +52,8 @@ pub struct WorkcellConfig {
     pub second_group: Option<String>,
     /// Pose of the robot in the world. For a robot on a planar base: its start, in the plane of the floor.
     pub world_from_robot: Option<Pose>,
-    /// The tool in the frame of the link that holds it; `None` takes the tool's mount, and otherwise that of the
-    /// robot ([`Workcell::mount`]).
+    /// Pose of the tool in the frame of the link that holds it; `None` takes the mount of the tool,
+    /// or else that of the robot ([`Workcell::mount`]).
     pub tip_from_tool: Option<Pose>,
     /// Distance of revolute joints from their limits while the robot uses the tool \[rad\]: a compliant arm is
     /// not exactly at its planned position.
@@ -98,11 +99,13 @@ impl Workcell {
     ///
     /// While it wipes, comes down or lifts off, the tool may touch the target surface and the object that
     /// carries it; otherwise no contact is allowed. The surface is an obstacle whether or not the scene has an
-    /// object that carries it. The tool keeps out of the space behind it, unless that is where it waits in the
-    /// ready posture. A robot may drive on a surface that lies in the plane of the floor.
+    /// object that carries it. The tool keeps out of the space behind the surface, unless it waits
+    /// there in the ready posture. A robot may drive on a surface that lies in the plane of the
+    /// floor.
     ///
     /// # Errors
-    /// A group or link that does not exist, a planar base off its floor, or geometry that no collision check takes.
+    /// [`FollowError::UnknownGroup`], [`FollowError::OffFloor`], or geometry that the collision
+    /// library refuses.
     pub fn new(
         mut robot: RobotModel,
         srdf: Option<&Srdf>,
@@ -169,7 +172,8 @@ impl Workcell {
         })
     }
 
-    /// The robot as described, without the tool and without the effort limits of counterbalanced joints; its n variables give the order of every array of positions.
+    /// The robot as described, without the tool and without the effort limits of counterbalanced
+    /// joints. Its n variables give the order of every array of positions.
     pub const fn robot(&self) -> &RobotModel {
         &self.robot
     }
@@ -189,8 +193,9 @@ impl Workcell {
         &self.mount.tip_from_tool
     }
 
-    /// Force of the surface on the tool in a phase of a task's motion, along the surface's outward normal \[N\]; `None` out of
-    /// contact, for a tool that hovers, and for one in two hands, whose shares are unknown.
+    /// Force of the surface on the tool in a phase of a task's motion, along the surface's outward
+    /// normal \[N\]. `None` out of contact, for a tool that hovers, and for a tool in two hands,
+    /// whose shares of the force are unknown.
     pub fn tool_load(&self, task: &Task, phase: Phase) -> Option<f64> {
         let force = Some(task.interaction.contact_force()).filter(|force| *force > 0.0);
         force.filter(|_| phase.is_contact() && self.second_arm().is_none())
@@ -210,7 +215,7 @@ impl Workcell {
         self.world_from_root.rotation.inverse() * surface.normal(place)
     }
 
-    /// How the robot holds the tool, and whether that is declared or assumed.
+    /// How the robot holds the tool, and whether this mount is declared or assumed.
     pub const fn mount(&self) -> &HeldTool {
         &self.mount
     }
@@ -324,8 +329,8 @@ impl Workcell {
         task.surface.world_from_surface * upright * lean
     }
 
-    /// Counts the whole turns of a base on wheels as the robot does, so that no motion begins with turns that
-    /// lead nowhere.
+    /// Returns the work cell with the whole turns of a base on wheels counted as the robot counts
+    /// them, so that no motion begins with needless turns.
     ///
     /// `stands`: all n variables as measured [rad or m].
     pub fn with_turns_of(mut self, stands: &[f64]) -> Self {
@@ -338,7 +343,7 @@ impl Workcell {
         self
     }
 
-    /// Returns the variables with the base at a pose.
+    /// Returns the variables `q` with the base at a pose.
     pub(in crate::follow) fn standing(&self, q: &[f64], world_from_base: &PlanarPose) -> Vec<f64> {
         let mut q = q.to_vec();
         if let Some(base) = self.base {

@@ -23,8 +23,8 @@ pub const LEAN_TOLERANCE: f64 = 1e-2;
 /// An arm that holds the tool of another, leading arm.
 #[derive(Debug, Clone)]
 pub struct SecondArm {
-    /// Inverse kinematics from the link at which the arms part to the hand; its tool's z axis is the hand's y
-    /// axis.
+    /// Inverse kinematics from the link at which the arms part to the hand. The z axis of its tool
+    /// is the hand's y axis.
     ik: IkSolver,
     /// Chain from the group's base to that link.
     trunk: Chain,
@@ -43,7 +43,7 @@ impl GripDeviation {
         self.position <= GRIP_TOLERANCE && self.lean <= LEAN_TOLERANCE
     }
 
-    /// The larger of both deviations, in each component.
+    /// Returns for each component the larger of both deviations.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self {
@@ -123,8 +123,9 @@ impl SecondArm {
         Pose::from_parts(Translation3::from(point), rotation_from_z(&along))
     }
 
-    /// Returns positions of the second arm that keep the grip for these of the leading arm, near `start`. The
-    /// hand keeps its present lean, or, if that is out of reach, comes across the bar.
+    /// Returns positions of the second arm that keep the grip for these positions of the leading
+    /// arm, near `start`. The hand keeps its current lean or, if that is out of reach, is set
+    /// square to the bar.
     pub(in crate::follow) fn hold(
         &self,
         leading: &[f64],
@@ -146,7 +147,7 @@ impl SecondArm {
         })
     }
 
-    /// Tries the same from several starts, then from random ones.
+    /// Does the same as [`Self::hold`] from several starts, then from random starts.
     pub(in crate::follow) fn hold_from_any_start(
         &self,
         leading: &[f64],

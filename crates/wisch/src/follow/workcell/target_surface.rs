@@ -15,9 +15,10 @@ const THICKNESS: f64 = 1e-3;
 const BEHIND: f64 = 1.0;
 /// Depth of the hand below the tool's contact plane above which it counts as below the surface [m].
 const HAND_TOLERANCE: f64 = 1e-3;
-/// Largest number of points of the hand that are checked: the deepest.
+/// Largest number of points of the hand that are checked; the deepest points are taken.
 const HAND_POINTS: usize = 64;
-/// Number of yaws of the tool that are tried for a place where the hand beside it hangs over the border.
+/// Number of yaws of the tool that are tried for a place at which the hand extends beyond the
+/// border beside the tool.
 const HAND_YAWS: usize = 16;
 
 /// The surface and the space behind it, as obstacles of collision models.
@@ -29,7 +30,8 @@ pub(super) struct TargetSurface {
 }
 
 impl TargetSurface {
-    /// Adds the surface of a task to models of a robot with its tool. `names` makes a name unique.
+    /// Adds the surface of a task to models of a robot with its tool. `names` returns a unique name
+    /// for a given name.
     ///
     /// # Errors
     /// An outline without area, or geometry that no collision check takes.

@@ -5,8 +5,8 @@ use crate::random::keyed_uniform;
 use rand::Rng;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Travel within which a particle that is touched again is still in the same contact [m]: it may lose touch while the
-/// tool stands or turns a corner.
+/// Travel within which a particle that is touched again is still in the same contact [m]: contact
+/// may be interrupted while the tool stands or turns a corner.
 const SAME_CONTACT: f64 = MAX_LENGTH;
 
 /// Level of a particle that slips past the tool; above every probability, so that it does not respond.
@@ -23,7 +23,7 @@ pub(super) struct Activation {
     travelled: TravelClock,
     /// Probability that a particle slips past the tool instead of drawing a threshold [1].
     slip: f64,
-    /// Whether each particle keeps its threshold for good.
+    /// Whether each particle keeps its threshold permanently.
     is_kept: bool,
 }
 

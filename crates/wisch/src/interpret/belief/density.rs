@@ -4,7 +4,7 @@ use crate::geometry::{Bounds2, Point2, Vector2};
 use crate::interpret::error::InterpretError;
 use crate::represent::{ParticleDistribution, Surface};
 
-/// Most cells of a map; a square metre has a million square millimetres.
+/// Largest number of cells of a map; a square metre has a million square millimetres.
 const MAX_CELLS: usize = 1 << 22;
 /// Share of a cell by which rounding may make a surface exceed whole cells.
 const ROUNDING: f64 = 1e-9;

@@ -33,7 +33,7 @@ pub struct Belief {
     pub(super) states: Vec<MemberState>,
     /// Belief about the tool's stiffness after the logs so far; `None` before the first.
     stiffness: Option<StiffnessBelief>,
-    /// Whether a camera has shown dirt, so that it is known to detect it.
+    /// Whether a camera has detected dirt in an earlier observation.
     pub(in crate::interpret) was_seen: bool,
 }
 
@@ -79,7 +79,7 @@ impl Belief {
         }
     }
 
-    /// Returns the belief after a log.
+    /// Returns the belief after a log: its members with their states, weights and stiffness.
     pub(super) fn continue_with(
         members: Vec<(ParticleDistribution, MemberState)>,
         weights: Vec<f64>,
@@ -96,7 +96,8 @@ impl Belief {
         }
     }
 
-    /// Returns the same belief, with whether a camera has shown dirt.
+    /// Returns the same belief with another value of `was_seen`: whether a camera has detected
+    /// dirt.
     pub(super) fn with_seen(self, was_seen: bool) -> Self {
         Self { was_seen, ..self }
     }
@@ -196,14 +197,15 @@ impl Belief {
     /// Returns the dirt of one member, drawn by weight.
     ///
     /// # Errors
-    /// None at present: the members' dirt is finite.
+    /// None: the dirt of the members is always finite.
     pub fn sample(&self, seed: u64) -> Result<ParticleDistribution, ParticleError> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         Ok(self.members[self.at(random.random())].clone())
     }
 
-    /// Returns the dirt of `count` members, drawn by weight, in one distribution. It represents all possible dirt, for
-    /// plans that are good on average. A single member has dirt in clean places and none in some dirty ones.
+    /// Returns the dirt of `count` members, drawn by weight, in one distribution. It represents all
+    /// possible dirt, for plans that are good on average. A single member, in contrast, has dirt in
+    /// some clean places and none in some dirty ones.
     ///
     /// # Errors
     /// More than [`MAX_PARTICLES`](crate::represent::MAX_PARTICLES) particles in total.
@@ -300,7 +302,8 @@ impl Belief {
     /// Returns the expected number of remaining particles per square cell of side `cell_size` \[m\].
     ///
     /// # Errors
-    /// A side that is not above 0, or cells so small that there are too many.
+    /// [`InterpretError::Cells`] for a side that is not above 0, or for cells so small that their
+    /// number exceeds the limit.
     pub fn density(&self, surface: &Surface, cell_size: f64) -> Result<DensityMap, InterpretError> {
         DensityMap::of(&self.members, &self.weights, surface, cell_size)
     }

@@ -1,4 +1,5 @@
-//! Exposure of places to a log: how hard the tool pressed there, and over which travel in contact.
+//! Exposure of places to the tool during a log: f′ at a place, and the travel in contact over which
+//! the tool touched it.
 
 use super::activation::{DrawClock, TravelClock};
 use super::parameter_sampling::{MemberParameters, scatter};
@@ -14,11 +15,11 @@ use crate::represent::{EffectModel, ParticleDistribution, ParticleField};
 pub struct ParticleTouch {
     /// Travel of the tool in contact at the beginning and at the end of the touch \[m\].
     pub travel: [f64; 2],
-    /// Largest f′ at the particle during the touch (9) \[1\].
+    /// Largest f′ (9), the normalised force, at the particle during the touch \[1\].
     pub share: f64,
 }
 
-/// The touches of a particle during a log, if it stays in place.
+/// The touches of one particle during a log, on condition that it stays in place.
 ///
 /// ```
 /// use wisch::interpret::{Exposure, ParticleTouch};

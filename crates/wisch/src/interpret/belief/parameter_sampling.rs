@@ -36,7 +36,7 @@ pub(super) struct MemberParameters {
     pub(super) likelihood: LogNormal,
     /// Travel in contact after which a threshold is drawn again [m].
     pub(super) redraw_length: f64,
-    /// Whether each particle keeps its threshold instead.
+    /// Whether each particle keeps its threshold instead of drawing a new one.
     pub(super) is_kept: bool,
 }
 
@@ -121,8 +121,9 @@ pub(super) fn scatter(
 
 /// Returns the factor on f′ in a member if the tool pressed with `ratio` times the declared force [1].
 ///
-/// The log does not tell two causes apart: the tool really pressed with this force, or the sensor or the task has
-/// another scale and the tool pressed with the declared force. Each member takes one of them.
+/// The log does not distinguish two causes. In the first, the tool really pressed with this force.
+/// In the second, the sensor or the task has another scale, and the tool pressed with the declared
+/// force. Each member assumes one of them.
 pub(super) fn force_factor(config: &InterpretConfig, ratio: f64, member: u64) -> f64 {
     let is_rescaled =
         keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;

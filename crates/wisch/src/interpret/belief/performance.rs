@@ -95,7 +95,7 @@ impl PerformanceDistribution {
         Self::from_shares(shares, deviation)
     }
 
-    /// Expected performance, in [0, 1] \[1\].
+    /// Expected performance \[1\], from 0 to 1.
     pub fn mean(&self) -> f64 {
         self.mean
     }

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 pub const COUNT_SPREAD: f64 = 0.3;
 /// Probability that dirt of unknown place lies in heaps [1].
 const CLUMPED: f64 = 0.5;
-/// Largest number of heaps.
+/// Largest number of heaps of dirt.
 const MOST_HEAPS: u32 = 6;
 /// Least and largest standard deviation of a heap [m].
 const HEAP_SPREAD: [f64; 2] = [0.01, 0.1];
@@ -28,7 +28,8 @@ const STREAM: u64 = 0x7072_696f_0000_0000;
 pub enum DirtPrior {
     /// Every particle of the task lies where the task says.
     Known,
-    /// The number of particles is known roughly, their places are not: they lie evenly or in heaps.
+    /// The number of particles is known roughly, and their places are unknown: they lie evenly or
+    /// in heaps.
     Anywhere {
         /// Expected number of particles.
         count: usize,

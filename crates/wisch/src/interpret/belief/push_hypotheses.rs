@@ -24,10 +24,10 @@ const BEFORE: f64 = 0.05;
 const AFTER: f64 = 2.0;
 /// Random stream; separate from those of activation and parameters.
 const STREAM: u64 = 0x646f_7562_0000_0000;
-/// Key of the draw that decides which replays take a log without contact for misread.
+/// Key of the draw that selects the replays in which a log without contact counts as misread.
 const MISREAD: u64 = 0x6d69_7372_6561_6421;
 
-/// Contact motions of a log, and the pieces during which somebody pushed.
+/// Contact motions of a log, and the pieces during which a person pushed the tool.
 #[derive(Debug)]
 pub(in crate::interpret) struct ContactEvidence<'a> {
     path: &'a [PathPiece],
@@ -35,11 +35,11 @@ pub(in crate::interpret) struct ContactEvidence<'a> {
     bounds: Option<Bounds2>,
     real_from_believed: Pose,
     config: &'a InterpretConfig,
-    /// Whether somebody pushed during each piece.
+    /// Whether a person pushed the tool during each piece.
     is_pushed: Vec<bool>,
     /// Pieces of each stretch that holds a push and its consequences.
     stretches: Vec<Range<usize>>,
-    /// Contact motions by force alone.
+    /// Contact motions as classified by the force alone.
     certain: Vec<ContactMotion>,
     /// Contact motions of a tool that touched wherever it was low, for a log without contact that may be misread; empty
     /// otherwise.
@@ -55,7 +55,7 @@ struct PushHypothesis {
     hop: Range<usize>,
 }
 
-/// Criterion of contact while somebody pushes.
+/// Criterion of contact while a person pushes the tool.
 #[derive(Debug, Clone, Copy)]
 enum Criterion {
     /// The force, as in the rest of the log.
@@ -104,7 +104,7 @@ impl<'a> ContactEvidence<'a> {
         self
     }
 
-    /// Whether the tool touched nothing and nobody pushed.
+    /// Whether the tool touched nothing and no person pushed it.
     pub(in crate::interpret) fn is_untouched(&self) -> bool {
         self.certain.is_empty() && self.stretches.is_empty() && self.low.is_empty()
     }
@@ -228,7 +228,7 @@ fn share_by_force(piece: &PathPiece) -> NormalizedForce {
     }
 }
 
-/// Marks the pieces during which somebody pushed.
+/// Marks the pieces during which a person pushed the tool.
 fn is_pushed(path: &[PathPiece], events: &[Event]) -> Vec<bool> {
     let mut is_pushed = vec![false; path.len()];
     for push in pushes(events) {

@@ -17,7 +17,7 @@ use crate::represent::{
 };
 use rayon::prelude::*;
 
-/// Time after which a film is moved [s].
+/// Longest time between two steps of a liquid film [s].
 const FILM_STEP: f64 = 0.25;
 
 /// Inputs of a replay except for the particles.

@@ -1,12 +1,14 @@
 //! Update of the belief by a camera observation.
 //!
-//! An observation shows where dirt lies, but says little about the parameters that move it. Weighting whole members by
-//! how well their places match would leave a single member, as no member has all of some eighty places right.
-//! Parameters and places are therefore updated separately (Rao-Blackwellised):
+//! An observation shows where dirt lies, but hardly anything about the parameters that move it. If
+//! whole members were weighted by how well their places match, a single member would remain,
+//! because no member has all of some eighty places right. Parameters and places are therefore
+//! updated separately (Rao-Blackwellised):
 //!
-//! - The parameters of the members get importance weights, from how much dirt each member has left within the goal and
-//!   outside it. Where few members carry the weight, systematic resampling follows. If hardly a member explains the
-//!   numbers observed, the likelihood is flattened, as it would choose the most extreme member alone.
+//! - The parameters of the members get importance weights, from how much dirt each member has left
+//!   within the goal and outside it. If few members carry the weight, systematic resampling
+//!   follows. If hardly a member explains the observed numbers, the likelihood is flattened;
+//!   otherwise it would select the most extreme member alone.
 //! - The places of each member are drawn anew. A Bernoulli trial per detection decides whether it is dirt (Mahler
 //!   2007). Within the goal and outside it, Bayes' rule gives the number of missed grains, from the member's own number
 //!   and the number detected (a binomial likelihood). Missed grains stay where the member has them.
@@ -35,7 +37,8 @@ const COUNT_ERROR: [f64; 2] = [0.1, 1.0];
 const FEWEST_EFFECTIVE: f64 = 8.0;
 /// Standard deviations of the number of detections beyond the range of the members at which it contradicts them [1].
 const FAR: f64 = 2.5;
-/// Bisection steps to the flattened likelihood of as many members.
+/// Bisection steps to the flattened likelihood under which the least permitted number of members is
+/// effective.
 const HALVINGS: usize = 30;
 /// Share of the members below and above the range that describes them [1].
 const TAIL: f64 = 0.05;
@@ -45,13 +48,16 @@ const NEIGHBOURHOOD: f64 = 0.02;
 const ANYWHERE: f64 = 0.05;
 /// Largest distance between a particle and its detection, in standard deviations of the sensor [1].
 const MATCHED: f64 = 3.0;
-/// Most particles near a detection among which the nearest is searched; any more are skipped.
+/// Largest number of particles near a detection among which the nearest is searched; further
+/// particles are skipped.
 const MOST_MATCHES: usize = 256;
 /// Regions in which dirt is counted: outside the goal and within it.
 const REGIONS: usize = 2;
-/// Most pairs of detections and particles that are counted one by one; beyond them, cells are counted.
+/// Largest number of pairs of detections and particles that are counted one by one; above it, cells
+/// are counted.
 const MOST_PAIRS: usize = 100_000_000;
-/// Most particles of all members after an observation, unless that leaves too few members.
+/// Largest number of particles of all members after an observation, unless that leaves too few
+/// members.
 const MOST_PARTICLES: usize = 1 << 22;
 const FEWEST_MEMBERS: usize = 16;
 /// Exponent beyond which a likelihood is computed by its logarithm.
@@ -70,15 +76,15 @@ pub struct ObservationUpdate<'a> {
     pub surface: &'a Surface,
     /// Goal of the task.
     pub goal: &'a GoalState,
-    /// Seed of the random numbers.
+    /// Seed of the random numbers of the update.
     pub seed: u64,
 }
 
 impl Belief {
     /// Returns the belief after an observation.
     ///
-    /// Before the first log, an observation shows how much dirt there is. After it, dirt that is no longer detected is
-    /// gone.
+    /// Before the first log, an observation determines how much dirt there is. After it, dirt that
+    /// is no longer detected counts as gone.
     ///
     /// For very many detections fewer members are kept, so that all members together have at most about four million
     /// particles.
@@ -174,7 +180,7 @@ impl ObservationUpdate<'_> {
         (MOST_PARTICLES / each.max(1)).max(FEWEST_MEMBERS)
     }
 
-    /// Whether dirt at a place on the surface is where the goal wants it.
+    /// Whether dirt at a place on the surface is where the goal requires it.
     fn is_met_at(&self, place: Point2) -> bool {
         self.goal.is_met_by(place, Fate::OnSurface, self.surface)
     }
@@ -252,9 +258,10 @@ impl ObservationUpdate<'_> {
         (flattened(low), true)
     }
 
-    /// Returns a doubt if the number of grains in the observation contradicts a belief before it: hardly a member explains
-    /// it, or it is far outside the range of all members. `was_felt`: whether the log before it shows contact; without
-    /// contact, all dirt that there was before the log is expected.
+    /// Returns a doubt if the number of observed grains contradicts the belief: hardly a member
+    /// explains the number, or it is far outside the range of all members. `was_felt`: whether the
+    /// log before the observation shows contact; without contact, all earlier dirt is still
+    /// expected.
     pub(in crate::interpret) fn find_contradiction(
         &self,
         belief: &Belief,
@@ -299,8 +306,9 @@ impl ObservationUpdate<'_> {
         })
     }
 
-    /// Returns the range of the number of detections that a belief lets expect, if the observation shows none although there
-    /// should be some: the surface is clean, or the camera does not see the dirt.
+    /// Returns the range of the number of detections that a belief predicts, if the observation
+    /// shows none although some are predicted: the surface is clean, or the camera does not detect
+    /// the dirt.
     pub(crate) fn find_unseen(&self, belief: &Belief) -> Option<[f64; 2]> {
         if belief.is_certain() || !self.observation.detections.is_empty() {
             return None;
@@ -310,7 +318,7 @@ impl ObservationUpdate<'_> {
         (least > FAR * self.count_error(least)).then_some(expected)
     }
 
-    /// Returns the range of the number of detections that the visible dirt of a belief lets expect.
+    /// Returns the range of the number of detections that a belief predicts from its visible dirt.
     fn expect_visible(&self, belief: &Belief) -> [f64; 2] {
         self.expect(belief, &|member| {
             let remaining = belief.members()[member].remaining();
@@ -318,7 +326,8 @@ impl ObservationUpdate<'_> {
         })
     }
 
-    /// Returns the range of the number of detections that the members let expect. `count`: grains by member.
+    /// Returns the range of the number of detections that the members predict (5 % and 95 %
+    /// quantiles). `count`: number of grains by member.
     fn expect(&self, belief: &Belief, count: &dyn Fn(usize) -> f64) -> [f64; 2] {
         let members = 0..belief.members().len();
         let counts =
@@ -328,7 +337,7 @@ impl ObservationUpdate<'_> {
         [TAIL, 1.0 - TAIL].map(|share| counts.quantile(share))
     }
 
-    /// Standard deviation of the number of detections where `expected` detections are expected [1].
+    /// Standard deviation of the number of detections, given the expected number [1].
     fn count_error(&self, expected: f64) -> f64 {
         let [share, number] = COUNT_ERROR;
         let misses = (1.0 - self.sight.detection) * expected;
@@ -337,7 +346,7 @@ impl ObservationUpdate<'_> {
             .hypot(share * expected + number)
     }
 
-    /// Returns a member's dirt after the observation, with the thresholds of the particles it recognises.
+    /// Returns a member's dirt after the observation, with the thresholds of the matched particles.
     fn update_member(
         &self,
         was: &ParticleDistribution,
@@ -613,9 +622,8 @@ fn effective_number(weights: &[f64]) -> f64 {
     1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>()
 }
 
-/// Draws as [`ObservationUpdate::draw_missed_in_region`] does, by logarithms, for counts whose likelihood exceeds the
-/// range of `f64`.
-/// `place` in [0, 1) is the quantile.
+/// Draws as [`ObservationUpdate::draw_missed_in_region`] does, but by logarithms, for counts whose
+/// likelihood exceeds the range of `f64`. `place` in [0, 1) is the quantile.
 fn draw_missed_of_many(
     (left, deviation): (f64, f64),
     (seen, miss): (usize, f64),

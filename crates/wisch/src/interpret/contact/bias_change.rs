@@ -1,10 +1,12 @@
-//! Changes of the force sensor's bias during a log: drift, and steps as by a tare in contact.
+//! Changes of the force sensor's bias during a log: drift, and steps such as those of a tare in
+//! contact.
 
 use super::downsampling::MeasuredPiece;
 use super::sensor::{SensorAxes, bias_and_noise};
 use crate::geometry::Vector3;
 
-/// Time to the next contact within which the force may be that of the contact, as forces lag and are averaged [s].
+/// Time to the next contact within which a force may belong to that contact, because forces lag and
+/// are averaged [s].
 const SETTLED: f64 = 0.15;
 /// Least number of pieces of a free motion that show its bias.
 const FEWEST: usize = 5;
@@ -18,7 +20,7 @@ pub(in crate::interpret) struct BiasChange {
     pub(in crate::interpret) size: f64,
     /// Times in the middle of the two free motions [s].
     pub(in crate::interpret) times: [f64; 2],
-    /// Whether most of it is still there in the last free motion.
+    /// Whether most of the change remains in the last free motion.
     pub(in crate::interpret) persists: bool,
 }
 
@@ -31,8 +33,8 @@ struct Level {
     time: f64,
 }
 
-/// Returns the largest change of the bias between free motions, which contacts separate; `None` if noise explains
-/// the differences, or if there is a single one.
+/// Returns the largest change of the bias between free motions that contacts separate. `None` if
+/// noise explains the differences, or if there is only one free motion.
 ///
 /// # Parameters
 /// - `free`: pieces of calm free motion, in their order.

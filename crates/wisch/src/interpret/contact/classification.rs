@@ -16,19 +16,21 @@ const POINT_TRAVEL: f64 = 5e-4;
 const POINT_PERIOD: f64 = 0.05;
 /// Least f′ at which a weak contact shows the height of the surface [1].
 const TOUCHING_SHARE: f64 = 0.3;
-/// Least number of contacts on the registered surface over those on the plane, or largest root mean square distance from it
-/// over that from the plane, at which heights are those over the registered surface [1]: a yawed surface bends the chart.
+/// Registered surface against plane [1]: heights are taken over the registered surface above the
+/// first ratio of contacts on the two, or below the second ratio of root mean square distances. A
+/// yawed surface bends the chart.
 const LEAST_MORE: f64 = 1.02;
 const MUCH_NEARER: f64 = 0.5;
-/// Most contacts against which a curved surface is registered.
+/// Largest number of contacts against which a curved surface is registered.
 const MOST_REGISTERED: usize = 5000;
 /// Least share of the tool that the surface must support for a contact with the surface [1].
 const LEAST_SUPPORT: f64 = 0.3;
 /// Least cosine of the angle between tool axis and plane normal at which the underside faces the plane [1].
 const LEAST_FACING: f64 = 0.5;
-/// Steepest plane that is reported as one [rad].
+/// Steepest plane that is reported as a plane [rad].
 const STEEPEST: f64 = 1.0;
-/// Least share of the confident contacts that a plane steeper than those that are searched must hold [1].
+/// Least share of the confident contacts that a plane must hold if it is steeper than the searched
+/// planes [1].
 const LEAST_ON_STEEP: f64 = 0.8;
 /// Least f′ at which a hovering tool is close enough to act [1]; at five times its gap.
 const NEAR_SHARE: f64 = 0.2;
@@ -44,9 +46,10 @@ pub(in crate::interpret) struct ClassifiedPath {
     /// The same under the assumption that the tool compresses exactly as its spring says [m].
     pub(in crate::interpret) off_spring: Vec<f64>,
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
-    /// The pose at which a curved surface fits the contacts.
+    /// The pose at which the shape of a curved surface fits the contacts.
     pub(in crate::interpret) registration: Option<ShapeFit>,
-    /// Whether heights are those over the registered surface, because the contacts do not lie on a plane in the chart.
+    /// Whether heights are taken over the registered surface, because the contacts do not lie on a
+    /// plane in the chart.
     pub(in crate::interpret) is_moved: bool,
     /// Distances of the contacts from the fitted surface, by place.
     pub(in crate::interpret) residuals: Vec<ContactResidual>,
@@ -179,8 +182,8 @@ impl ContactClassifier<'_> {
         (classified, off)
     }
 
-    /// Returns the angle to the believed surface of a plane that is steeper than those that are searched, if nearly all
-    /// confident contacts lie on it [rad].
+    /// Returns the angle [rad] between the believed surface and a plane steeper than the searched
+    /// planes, if nearly all confident contacts lie on this plane.
     pub(in crate::interpret) fn find_steep_plane(&self, pieces: &[MeasuredPiece]) -> Option<f64> {
         let config = self.config;
         let confident = touching_points(pieces, config.confident_share, config);
@@ -204,7 +207,7 @@ impl ContactClassifier<'_> {
             ToolCompliance::Spring { uncertainty, .. } => uncertainty * spring_back.abs(),
         };
         let by_spring = height + spring_back;
-        // Above nominal force a tool may compress no further, as a sponge does that bottoms out.
+        // Above nominal force a tool may not compress further: a sponge, for example, bottoms out.
         let least = if spring_back > 0.0 {
             height.max(0.0) + by_spring.min(0.0)
         } else {
@@ -261,9 +264,10 @@ fn spring_back(normal_force: f64, config: &InterpretConfig) -> f64 {
     }
 }
 
-/// Widens the plane by weaker contacts. On a falling surface, confident contacts are few and close together, and
-/// determine the slope poorly; the spring-back of the tool shows further points of contact. The wider plane is used if
-/// most of the confident contacts of the first one lie on it.
+/// Refits the plane with weaker contacts. On a falling surface, confident contacts are few and
+/// close together, and determine the slope poorly; the spring-back of the tool shows further points
+/// of contact. The wider fit is used if most of the confident contacts of the first plane lie on
+/// it.
 fn widen(
     first: PlaneFit,
     confident: &[Point3],

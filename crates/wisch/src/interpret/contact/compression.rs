@@ -1,4 +1,4 @@
-//! Compression of the tool as its contacts show it: over all of them, height = plane − force / stiffness.
+//! Compression of the tool, estimated from all contacts: height = plane − force / stiffness.
 //!
 //! A pad that is harder or softer than declared seems to leave the plane as soon as its force changes.
 
@@ -12,14 +12,14 @@ use nalgebra::{Matrix4, Vector4};
 
 /// Least force of a contact over the nominal one [1].
 const LEAST_SHARE: f64 = 0.2;
-/// Longest time over which contacts are averaged, and longest gap in it [s]: noise of the force would seem to be a tool that
-/// does not compress.
+/// Longest time over which contacts are averaged, and longest gap within it [s]: noise of the force
+/// would otherwise make the tool appear incompressible.
 const WINDOW: f64 = 0.25;
 const GAP: f64 = 0.05;
 /// Least number of such means.
 const FEWEST: usize = 12;
-/// Part of the contacts at either end of the range of forces that does not count for the range [1], and the least range over
-/// the nominal force [1].
+/// Share of the contacts at either end of the range of forces that is excluded from the range [1],
+/// and the least range over the nominal force [1].
 const TAIL: f64 = 0.1;
 const LEAST_RANGE: f64 = 0.3;
 /// Least error of the heights by the declared stiffness over the range of forces [m].
@@ -141,7 +141,8 @@ fn fit(contacts: &[Contact], given: Option<f64>) -> Option<(f64, f64)> {
             normal += row * row.transpose() * weight;
             right += row * (height(contact) * weight);
         }
-        // Contacts along one line leave the slope across it open: least squares of least size.
+        // Contacts along one line leave the slope across it undetermined: the least-squares
+        // solution of smallest norm is taken.
         let inverse = normal.svd(true, true);
         let least = 1e-9 * inverse.singular_values.max();
         found = inverse.solve(&right, least).ok()?;

@@ -2,8 +2,8 @@
 //!
 //! A quadric z = c + b·p + ½ pᵀ K p is fitted to the heights of the contacts over the believed surface, by least
 //! squares with Huber weights. The eigenvalues of K are the principal curvatures. For a cylinder, a circle in the section
-//! across its axis gives the radius of a deep arc (Kåsa, 1976). Of a shallow arc the quadric gives it, as noise makes the
-//! circle too small.
+//! across its axis gives the radius of a deep arc (Kåsa, 1976). For a shallow arc the quadric gives
+//! the radius, because noise makes the circle too small.
 //!
 //! Few strokes do not determine all of K: one stroke, or two parallel ones, give the curvature along the strokes alone.
 //! Components of K that the contacts do not determine are those in which a unit of curvature hardly changes the heights.
@@ -24,12 +24,13 @@ const APART: [f64; 2] = [0.02, 2.5];
 const SLIDE: usize = 5;
 /// Least number of contacts that show a curvature.
 const FEWEST: usize = 30;
-/// Least range of the heights of the quadric over the plane, at the contacts, at which a plane is wrong [m]; that of an arc
-/// is its sagitta.
+/// Least range of the heights of the quadric over the plane, at the contacts, at which the surface
+/// counts as curved [m]. For an arc, this range is its sagitta.
 const LEAST_RISE: f64 = 1.5e-3;
 /// Largest residual of the quadric over that of the plane [1].
 const LEAST_BETTER: f64 = 0.6;
-/// The same for a quadric whose residual is the noise of the contacts, and the largest ratio of the two [1].
+/// Largest residual of the quadric over that of the plane if the residual of the quadric is the
+/// noise of the contacts; and the largest ratio of residual to noise for this case [1].
 const LEAST_BETTER_THAN_NOISE: f64 = 0.85;
 const LIKE_NOISE: f64 = 1.3;
 /// Least rise over its standard deviation by noise, for such a quadric [1].
@@ -53,7 +54,7 @@ const DEEP: f64 = 0.8;
 const ROUNDS: usize = 8;
 const OUTLIER: f64 = 1e-3;
 
-/// A shape other than a plane through the contacts.
+/// A shape other than a plane that fits the contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::interpret) enum ContactShape {
     /// A cylinder.
@@ -158,7 +159,7 @@ pub(super) fn pressed_places(
             });
         }
     }
-    // Dabs here and there show no shape.
+    // Separate touches without sliding show no shape.
     let mut steps: Vec<f64> = (contacts.windows(2))
         .map(|pair| (pair[1].place - pair[0].place).norm())
         .collect();
@@ -293,7 +294,7 @@ impl Quadric {
         (most - least).max(0.0)
     }
 
-    /// Contacts near the quadric.
+    /// Returns the contacts near the quadric.
     fn near<'a>(&self, contacts: &'a [PressedPlace]) -> impl Iterator<Item = &'a PressedPlace> {
         let is_near =
             |one: &&PressedPlace| (one.height - self.height_at(one.place)).abs() <= 3.0 * OUTLIER;
@@ -385,8 +386,8 @@ impl Quadric {
     }
 }
 
-/// Solves the normal equations of a plane and of the last `terms` components, without those that the contacts do not
-/// determine. Returns the coefficients, and the components of K that are not determined.
+/// Solves the normal equations of a plane and of the last `terms` components of K, except for
+/// undetermined components. Returns the coefficients and the undetermined components.
 fn solve(
     normal: &Matrix6<f64>,
     right: &Vector6<f64>,

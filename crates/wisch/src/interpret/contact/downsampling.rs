@@ -16,12 +16,13 @@ const MAX_TURN: f64 = 0.035;
 /// Tolerance for times that are multiples of a sampling period and not exact in binary [s].
 const TIME_SLACK: f64 = 1e-6;
 
-/// Fastest motion of a tool [m/s], and least distance of a jump [m]: what is faster and farther is an error of the pose.
+/// Greatest speed of a tool [m/s], and least distance of a jump [m]: a faster motion over a longer
+/// distance is an error of the pose.
 const FASTEST: f64 = 10.0;
 const LEAST_JUMP: f64 = 0.02;
 /// Time over which speeds are compared at high rates [s].
 const SPEED_TIME: f64 = 0.01;
-/// Longest time for which a wrong pose is left out; one that stays longer is taken [s].
+/// Longest duration of a wrong pose that is left out; a pose that lasts longer is accepted [s].
 const LONGEST_GLITCH: f64 = 0.1;
 
 /// Largest valid coordinate [m].
@@ -60,13 +61,13 @@ pub(in crate::interpret) struct MeasuredPiece {
 pub(in crate::interpret) struct PoseJumps {
     /// Number of samples that were left out, because the pose jumped there and back.
     pub(in crate::interpret) left_out: usize,
-    /// Number of jumps after which the pose stayed elsewhere, or that took several samples.
+    /// Number of jumps after which the pose did not return, or that took several samples.
     pub(in crate::interpret) lasting: usize,
     /// Time [s] and distance [m] of the first jump.
     pub(in crate::interpret) first: Option<(f64, f64)>,
 }
 
-/// Takes samples and keeps pieces.
+/// Reduces samples to pieces as they arrive.
 #[derive(Debug, Clone)]
 pub(in crate::interpret) struct Downsampler {
     surface: Surface,
@@ -155,7 +156,8 @@ impl Downsampler {
         Ok(())
     }
 
-    /// Adds a sample near those after a jump, and takes all of them once the pose has stayed there for long.
+    /// Adds a sample near those after a jump. Once the pose has remained there for longer than a
+    /// glitch lasts, all of these samples are accepted.
     fn follow_jump(&mut self, sample: &TouchSample) {
         self.jumped.push(*sample);
         if sample.time - self.jumped[0].time <= LONGEST_GLITCH {
@@ -163,7 +165,7 @@ impl Downsampler {
         }
         let rests = (self.pieces.windows(2)).all(|pair| pair[0].position == pair[1].position);
         if rests {
-            // The poses before were wrong, as zeros before the first measurement are.
+            // The poses before were wrong, such as zeros before the first measurement.
             self.jumps.left_out += self.samples;
             self.samples = 0;
             self.pieces.clear();

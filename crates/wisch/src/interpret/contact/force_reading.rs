@@ -1,9 +1,10 @@
 //! Reading of a log's forces: bias, axis, scale and clock, inferred from the log itself.
 //!
-//! The band of (10) is relative to the nominal force. A log from a sensor that was not zeroed, with a wrench in another
-//! frame or with another press force has no sample in it, although none of that changes what was wiped. Geometry
-//! identifies wiping instead: the tool slides at one height over a plane, and the force there differs from the force in
-//! the air above. That difference is the contact force, of any size and direction.
+//! The band of (10) is relative to the nominal force. If the sensor was not zeroed, the wrench is
+//! in another frame, or the press force differs, no sample lies in the band, although the tool
+//! wiped as before. Geometry identifies wiping instead: the tool slides at one height over a plane,
+//! and the force there differs from the force in the air above. That difference is the contact
+//! force, of any size and direction.
 
 use super::bias_change::{BiasChange, find_bias_change};
 use super::downsampling::MeasuredPiece;
@@ -23,7 +24,8 @@ const CALM_ACCELERATION: f64 = 1.0;
 const MIN_CALM: usize = 5;
 /// Least speed of sliding along a surface [m/s], and its largest rise [1].
 const SLIDING: [f64; 2] = [0.01, 0.25];
-/// Most planes at different heights on which a tool may slide: the surface, and planes of travel in the air.
+/// Largest number of planes at different heights on which a tool may slide: the surface, and planes
+/// of travel in the air.
 const MOST_PLANES: usize = 5;
 /// Least share of the sliding points that a plane must hold [1].
 const LEAST_ON_PLANE: f64 = 0.05;
@@ -40,7 +42,8 @@ const LEAST_OVER: f64 = 0.5;
 const LEAST_SIGNIFICANCE: f64 = 2.0;
 /// Least contact force: over the nominal one [1], and in newtons.
 const LEAST_FORCE: [f64; 2] = [0.1, 0.3];
-/// Largest spread of the force on the plane over its median [1]; a larger one comes from a hand.
+/// Largest spread of the force on the plane over its median [1]; a larger spread comes from a
+/// person's hand.
 const MOST_VARIATION: f64 = 0.6;
 /// Least share of the time in which a tool slides with force, and of that in which it slides without, where it hovers for a
 /// part of its strokes [1], and least height over the contact at which it hovers [m].
@@ -57,8 +60,8 @@ const FRAME_PREFERENCE: f64 = 0.5;
 const LEAST_BELOW: f64 = 0.1;
 /// Least evidence for contact with shifted clocks, over that for contact at its height without a shift [1].
 const CLOCK_EVIDENCE: f64 = 2.0;
-/// Range of press force over the declared one that counts as pressed as declared [1], and the least share of the
-/// pressing time within it: the band of (10) then holds enough samples.
+/// Range of the press force over the declared force that counts as the declared force [1], and the
+/// least share of the pressing time within this range: the band of (10) then holds enough samples.
 const AS_DECLARED: [f64; 2] = [0.9, 1.1];
 const LEAST_AS_DECLARED: f64 = 0.05;
 /// Noise of single pieces over the nominal force above which forces are averaged [1], and the longest averaging time
@@ -96,7 +99,7 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) direction: PressDirection,
     /// Force with which the tool pressed for most of its sliding [N]; `None` if geometry shows no contact.
     pub(in crate::interpret) pressed: Option<f64>,
-    /// Whether it pressed with the declared force for at least some of the time.
+    /// Whether the tool pressed with the declared force for at least a part of the time.
     is_as_declared: bool,
     /// Delay of the force's clock behind the position's [s]; 0 if they agree.
     pub(in crate::interpret) clock_offset: f64,
@@ -126,8 +129,8 @@ impl ForceReading {
         let slides: Vec<bool> = (0..pieces.len())
             .map(|i| is_sliding(pieces, i, config))
             .collect();
-        // The pieces over the surface are fitted alone: a plane through strokes and through travel beside the surface
-        // would be wrong.
+        // The pieces over the surface are fitted separately: a plane through both strokes and
+        // travel beside the surface would be wrong.
         let over: Vec<bool> = (pieces.iter().zip(&slides))
             .map(|(piece, slides)| *slides && surface.outline.contains(piece.position.xy()))
             .collect();
@@ -168,7 +171,8 @@ impl ForceReading {
     /// Reads the forces if geometry shows no contact: the bias is the force of calm motion well above the believed
     /// surface.
     fn from_height(pieces: &[MeasuredPiece], calm: &[bool], config: &InterpretConfig) -> Self {
-        // Half the nominal force at a single height is not bias but a surface far above the believed one.
+        // Half the nominal force at a single height is not bias: it shows a surface far above the
+        // believed one.
         let is_free = |i: usize| {
             calm[i]
                 && pieces[i].mean_height > config.free_height_m
@@ -246,7 +250,8 @@ impl ForceReading {
         let as_declared = near.iter().filter(|force| (low..=high).contains(force));
         let least_count = LEAST_AS_DECLARED * near.len() as f64;
         let is_as_declared = as_declared.count() as f64 >= least_count;
-        // A force that varies about the declared one has its most frequent values at its ends.
+        // If the force varies about the declared force, its most frequent values are the ends of
+        // its range.
         let pressed = if is_as_declared && !near.is_empty() {
             Some(median(near.iter().map(|force| (*force, 1.0)).collect()))
         } else {
@@ -520,8 +525,8 @@ impl Scene<'_> {
         for &i in &on {
             *(if is_over(i) { &mut over } else { &mut beside }) += lasts(&pieces, i);
         }
-        // Beside the surface a tool also travels below it; relative to that travel, the contact force would count as
-        // free motion.
+        // Beside the surface, a tool also travels below it. Relative to that travel, the contact
+        // force would count as free motion.
         let is_outward = along.dot(&normal) >= LEAST_ALIGNED;
         let is_possible = is_outward || over >= LEAST_OVER * (over + beside);
         (is_steady && is_significant && is_possible).then_some(SlidingContact {
@@ -564,8 +569,8 @@ fn most_plausible(contacts: Vec<(f64, SlidingContact)>) -> Option<SlidingContact
     best.map(|(_, contact)| contact)
 }
 
-/// Returns the axes in which the forces of free motion and of contact are constant: those of the surface, unless the
-/// log shows a bias that rotates with the tool.
+/// Returns the axes in which the bias is constant: those of the surface, unless the log shows a
+/// bias that rotates with the tool.
 fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> SensorAxes {
     let variation = |axes: SensorAxes| {
         let (bias, _) = bias_and_noise(pieces, free, axes);
@@ -587,7 +592,8 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
     }
 }
 
-/// Averages the forces over as many neighbours as their noise demands; forces of little noise stay as they are.
+/// Averages the forces over as many neighbours as their noise requires; forces with little noise
+/// are not changed.
 fn smooth_forces(pieces: &[MeasuredPiece], config: &InterpretConfig) -> Vec<MeasuredPiece> {
     let allowed = NOISE_SHARE * config.nominal_force();
     let steps = pieces.windows(2).map(|pair| {

@@ -14,7 +14,7 @@ use crate::represent::Surface;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Most planes that are searched.
+/// Largest number of planes that are searched.
 pub(in crate::interpret) const MOST_LEVELS: usize = 3;
 /// Half the range of the heights on one plane [m], or in standard deviations of the noise [1].
 const HALF_RANGE: [f64; 2] = [6e-4, 3.0];
@@ -26,12 +26,13 @@ const LEAST_ON_ALL: f64 = 0.75;
 const LEAST_ON_TWO: f64 = 0.88;
 /// Least number of contacts on a plane.
 const FEWEST: usize = 10;
-/// Most contacts within the same range beside a plane over those on it [1]: a ramp has as many.
+/// Largest number of contacts just beside a plane, within an equal range of heights, over the
+/// number on the plane [1]: a ramp has equal numbers.
 const MOST_BESIDE: f64 = 0.25;
 /// Largest cost of the planes over that of a quadric [1].
 const LEAST_BETTER: f64 = 0.6;
-/// Least step of the measured heights over that of the heights at nominal force [1]: another force, at a wrong stiffness, makes
-/// no step.
+/// Least step of the measured heights over that of the heights at nominal force [1]: a change of
+/// force with a wrong stiffness makes no step of the measured heights.
 const LEAST_MEASURED: f64 = 0.5;
 /// Least extent of a slide on a plane [m]; for the only slide on it, its least share of the contacts [1], and its length from
 /// which no hand keeps the tool at one height [m].
@@ -40,7 +41,7 @@ const LEAST_ONLY: f64 = 0.2;
 const LEAST_LONG: f64 = 0.3;
 /// Contacts farther apart belong to different slides [m].
 const APART: f64 = 0.04;
-/// Number of slopes that are drawn, and most contacts on which one is scored.
+/// Number of slopes that are drawn, and largest number of contacts on which a slope is scored.
 const DRAWS: usize = 200;
 const MOST_SCORED: usize = 500;
 /// Least number of contacts on a plane over that on the plane with the most, at which the nearer one counts [1].
@@ -58,7 +59,7 @@ pub struct ContactLevel {
     pub contacts: usize,
 }
 
-/// Parallel planes, and what they hold.
+/// Parallel planes with the contacts on them.
 struct Levels {
     slope: Vector2,
     /// Heights of the planes over the origin, the one with the most contacts first [m].

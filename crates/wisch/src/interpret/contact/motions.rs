@@ -8,8 +8,9 @@ use crate::represent::ToolMotion;
 pub(in crate::interpret) const MAX_LENGTH: f64 = 0.01;
 /// Largest travel of a standing tool [m], and largest rotation [rad].
 const STANDING: [f64; 2] = [2e-3, 0.035];
-/// The same at the beginning of a contact. The dirt below the tool is carried in the direction of its first motion,
-/// which must not be that of its vibration, settling or turning before the stroke.
+/// Limits of a standing tool at the beginning of a contact [m, rad]. The dirt below the tool is
+/// carried in the direction of its first motion, which must not be that of a vibration, of
+/// settling, or of a turn before the stroke.
 const SETTLING: [f64; 2] = [0.01, 0.35];
 /// Largest distance of a path from the straight motion that approximates it [m].
 const MAX_DEVIATION: f64 = 5e-4;

@@ -45,7 +45,8 @@ pub enum Touch {
     FalsePositive,
 }
 
-/// Consecutive samples as one piece, of at most a few milliseconds or a fraction of a millimetre.
+/// Consecutive samples as one piece: at most 10 ms, 1 mm of travel and 2° of rotation, and more in
+/// very long logs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPiece {
     /// Time of the first and of the last sample \[s\]; the piece represents the time [`span`](Self::span).
@@ -62,8 +63,9 @@ pub struct PathPiece {
     /// f′ (9), at least 0: force over the nominal force, or over the usual press force of this log if it differs. At
     /// most 1, or the declared nominal force over the usual one if that is smaller.
     pub normalized_force: f64,
-    /// Mean distance of the tool centre point from the fitted plane \[m\], positive on the outside; from the believed
-    /// surface if no plane was found. A compliant tool touches below its compression depth.
+    /// Mean distance of the tool centre point from the fitted plane \[m\], positive on the outer
+    /// side; from the believed surface if no plane was found. A compliant tool is in contact at
+    /// heights below its compression.
     pub height: f64,
     /// Slope of the fitted plane against the tool's underside at the last sample, in the tool frame \[1\]: rise of the
     /// surface towards the hand per metre along the tool's x and y. A compliant tool presses harder where it rises.
@@ -73,8 +75,8 @@ pub struct PathPiece {
     pub touch: Touch,
 }
 
-/// Longest time that a piece represents before its first sample, and after its last [s]. Of a longer gap in the log, the
-/// rest belongs to no piece.
+/// Longest time that a piece represents before its first sample and after its last sample [s]. The
+/// rest of a longer gap belongs to no piece.
 const LONGEST_REACH: f64 = 0.5;
 
 impl PathPiece {

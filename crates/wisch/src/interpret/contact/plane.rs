@@ -9,9 +9,10 @@ use crate::interpret::config::PlaneConfig;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// Most points on which a hypothesis is scored; more would not change the choice.
+/// Largest number of points on which a hypothesis is scored; more points would not change the
+/// choice.
 const MAX_SCORED: usize = 5000;
-/// Most iterations of least squares; the inliers settle after two or three.
+/// Largest number of iterations of least squares; the inliers settle after two or three.
 const MAX_REFINEMENTS: usize = 10;
 
 /// A plane over the xy plane, z = height + slope · (x, y).
@@ -199,8 +200,8 @@ fn count_inliers(points: &[Point3], plane: PlaneFit, inlier_distance: f64) -> Pl
     }
 }
 
-/// Fits a plane by least squares to the points near one with this height over the origin [m] and this slope [1]. `None` if too
-/// few points lie near it.
+/// Fits a plane by least squares to the points near the plane with this height over the origin [m]
+/// and this slope [1]. `None` if too few points lie near that plane.
 pub(super) fn fit_near(
     points: &[Point3],
     (height, slope): (f64, Vector2),

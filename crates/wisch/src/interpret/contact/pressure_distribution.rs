@@ -1,7 +1,8 @@
 //! Pressure under a compliant tool that is inclined to the plane, or lies on a bend.
 //!
-//! The tool is a bed of springs. A spring is compressed further where the surface rises towards the hand; where it would
-//! be stretched, it has left the surface. The force is the mean over the tool.
+//! The tool is a bed of springs. A spring is compressed more where the surface rises towards the
+//! hand. A spring that would be stretched has left the surface and carries no force. The force is
+//! the mean over the tool.
 
 use super::motions::{ContactMotion, NormalizedForce};
 use super::tool_on_bend::ToolOnBend;
@@ -74,7 +75,8 @@ impl PressureDistribution {
         let at = contact.motion.from;
         let mut pressure = tool.press(force, at, contact.slope);
         if let NormalizedForce::Middle(share) = contact.force {
-            // The distance is that of a tool on a plane (`ToolOnBend::level`): an upright tool would have this force.
+            // The distance is that of a tool on a plane (`ToolOnBend::level`), where the tool would
+            // have this force.
             pressure.middle = share + tool.sinking(share, at) / tool.compression();
         }
         let range = tool.range(&pressure);
@@ -121,7 +123,8 @@ impl PressureDistribution {
                 let [from, to] = clip(&self.bounds, way).unwrap_or_else(|| {
                     ends.map(|tool| self.bounds.center() + self.place_under(tool, position))
                 });
-                // Between the pieces of a footprint, nothing presses harder than under them.
+                // Between the pieces of a footprint, the pressure is at most the largest one under
+                // the pieces.
                 pressure.largest_between(from, to).min(most.max(0.0))
             }
         }
@@ -218,7 +221,8 @@ mod tests {
         );
     }
 
-    /// Two computations of the same thing: one has a closed form on a plane, the other integrates over the edges.
+    /// Two computations of one quantity: the first has a closed form on a plane, the second
+    /// integrates over the edges.
     #[test]
     fn an_inclined_tool_on_a_plane_is_that_of_an_elastic_foundation() {
         let side = Vector2::new(0.06, 0.1);

@@ -1,9 +1,11 @@
-//! Registration of measured contacts against the believed shape of a surface, in six degrees of freedom as far as the contacts determine them.
+//! Registration of measured contacts against the believed shape of a surface, in those of its six
+//! degrees of freedom that the contacts determine.
 //!
 //! A small motion of the surface by t and ω changes the distance of a contact p with the normal n by n·t + (p × n)·ω.
-//! Contacts on a plane determine three of these six numbers, on a cylinder four, on a ball three, on a cone five. Motions that
-//! hardly change the distances are left as believed. Robust hypotheses (MSAC; Torr and Zisserman, 2000) start a
-//! Gauss–Newton iteration on the distances of the inliers.
+//! Contacts on a plane determine three of these six numbers, on a cylinder four, on a sphere three,
+//! on a cone five. Motions that hardly change the distances keep their believed values. Robust
+//! hypotheses (MSAC; Torr and Zisserman, 2000) start a Gauss–Newton iteration on the distances of
+//! the inliers.
 
 use super::plane::{fit_plane, hypotheses};
 use crate::geometry::{Point3, Pose, Vector3};
@@ -18,9 +20,9 @@ const LEVER: f64 = 0.2;
 /// Least mean square change of the distances per unit of a motion at which contacts determine it [1]: errors
 /// of 0.1 mm that a whole stroke has in common then move the surface along itself by a centimetre at most.
 const LEAST_EFFECT: f64 = 1e-4;
-/// Most points on which a hypothesis is scored.
+/// Largest number of points on which a hypothesis is scored.
 const MOST_SCORED: usize = 1000;
-/// Most iterations of Gauss and Newton, and the step at which they end [m].
+/// Largest number of Gauss–Newton iterations, and the step at which they end [m].
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 

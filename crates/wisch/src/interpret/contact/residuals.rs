@@ -1,4 +1,4 @@
-//! Map of what a fit leaves of the contacts: their distances from the fitted surface, by place.
+//! Map of the residuals of a fit: distances of the contacts from the fitted surface, by place.
 
 use crate::geometry::Point2;
 use std::collections::BTreeMap;

@@ -9,8 +9,9 @@ use crate::geometry::Vector3;
 const NOISE_BY_MEDIAN: f64 = 2.6;
 /// Largest offset between the clocks of force and position, step of the search, and least offset that is corrected [s].
 const CLOCKS: [f64; 3] = [3.0, 0.02, 0.08];
-/// Least factor by which alignment of the clocks must raise the contrast of the contact force [1], and the least
-/// contrast over the usual contact force: a person who pushes now and then gives no clock offset.
+/// Least factor by which alignment of the clocks must raise the contrast of the contact force [1],
+/// and the least contrast over the usual contact force: occasional pushes by a person show no clock
+/// offset.
 const CLOCK_GAIN: f64 = 1.1;
 const CLOCK_CONTRAST: f64 = 0.8;
 

@@ -32,7 +32,7 @@ pub struct ToolStiffness {
     pub n_per_m: f64,
     /// Standard deviation of its logarithm \[1\].
     pub ln_deviation: f64,
-    /// Whether it is the declared one, because no log shows another.
+    /// Whether it is the declared stiffness, because no log shows another value.
     pub is_assumed: bool,
 }
 

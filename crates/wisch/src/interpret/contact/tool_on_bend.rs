@@ -1,4 +1,5 @@
-//! A tool on a surface that bends: how its pressure is distributed, and how far it sinks in.
+//! A tool on a curved surface: the distribution of its pressure, and the depth to which it sinks
+//! in.
 
 use super::downsampling::MeasuredPiece;
 use crate::geometry::{PlanarPose, Region};
@@ -6,10 +7,11 @@ use crate::interpret::config::InterpretConfig;
 use crate::represent::{ElasticFoundation, LocalPressure, Surface, SurfaceShape};
 use nalgebra::Vector2;
 
-/// Least force over the nominal one that presses the tool onto the surface [1]: without force it just touches.
+/// Least force over the nominal force for which the pressure is computed [1]: without force, the
+/// tool only just touches.
 const LEAST_FORCE: f64 = 1e-3;
 
-/// A tool over the bend of a believed surface.
+/// A tool over the curvature of a believed surface.
 #[derive(Debug)]
 pub(in crate::interpret) struct ToolOnBend {
     foundation: ElasticFoundation,
@@ -51,8 +53,9 @@ impl ToolOnBend {
         self.foundation.compression()
     }
 
-    /// How much deeper the tool sinks in over the bend than over a plane at a force over the nominal one [1] and a
-    /// pose, in metres: κL²/24 where the whole tool touches, negative in a hollow.
+    /// Additional depth to which the tool sinks in over the bend, compared with a plane, at a force
+    /// over the nominal one [1] and a pose [m]: κL²/24 if the whole tool touches; negative in a
+    /// hollow.
     pub(super) fn sinking(&self, force: f64, at: PlanarPose) -> f64 {
         let force = force.max(LEAST_FORCE);
         self.compression() * (self.press(force, at, Vector2::zeros()).middle - force)

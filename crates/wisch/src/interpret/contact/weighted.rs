@@ -1,4 +1,4 @@
-//! Statistics that outliers hardly change.
+//! Robust statistics of weighted values.
 
 /// Weighted median. The weights are times, as a fast motion yields the most pieces. 0 for an empty list.
 pub(super) fn median(mut weighed: Vec<(f64, f64)>) -> f64 {

@@ -1,4 +1,4 @@
-//! The words of doubts.
+//! The texts of doubts for people.
 
 use super::force_unit::describe_units;
 use super::{Doubt, LEAST_NEAR, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
@@ -266,7 +266,7 @@ fn write_doubly_curved(f: &mut fmt::Formatter<'_>, radii: [f64; 2], direction: f
     )
 }
 
-/// Word for the side to which a surface bulges, seen from the tool.
+/// Word for the curvature of a surface, as viewed from the tool.
 const fn bulge(is_convex: bool) -> &'static str {
     if is_convex { "convex" } else { "concave" }
 }
@@ -307,7 +307,8 @@ fn write_pressed_otherwise(
 /// Least difference of two offsets of the surface that is stated [m].
 const LEAST_DIFFERENCE: f64 = 1e-3;
 
-/// Writes how far the surface is off under both explanations of another force, if they differ.
+/// Writes the distance of the surface under both explanations of the force, if these distances
+/// differ.
 fn write_offsets(f: &mut fmt::Formatter<'_>, offsets: Option<[f64; 2]>) -> fmt::Result {
     match offsets {
         Some([by_press, by_scale])

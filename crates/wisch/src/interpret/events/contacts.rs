@@ -3,7 +3,7 @@
 use super::detector::{Candidate, EventDetector, Level, level};
 use super::event::{Event, EventKind};
 
-/// Travel within 0.05 s below which a tool stands [m]; above the noise of positions.
+/// Travel within 0.05 s below which a tool counts as standing [m]; above the noise of positions.
 const STANDING: f64 = 1e-3;
 
 impl EventDetector<'_> {
@@ -15,8 +15,8 @@ impl EventDetector<'_> {
             .collect()
     }
 
-    /// Returns the contact losses, sorted by start: of a tool that moves on without force, or stands without force
-    /// during a stroke. `contacts` are sorted by start.
+    /// Returns the contact losses, sorted by start: the tool moves on without force, or stands
+    /// without force during a stroke. `contacts` are sorted by start.
     pub(super) fn losses(&self, contacts: &[Event]) -> Vec<Event> {
         let losses = self.candidates(|i| self.loss_level(i), |_| self.config.events.bridge_s);
         let strokes = self.strokes(contacts);

@@ -9,20 +9,22 @@ use crate::interpret::config::InterpretConfig;
 use crate::interpret::contact::{ClassifiedPath, MeasuredPiece, PathPiece, Touch};
 use crate::represent::Surface;
 
-/// Number of confident pieces from which a log shows its own friction; half a second.
+/// Number of confident pieces from which a log shows its own friction: half a second of contact.
 const LEAST_CONTACTS: usize = 50;
 
-/// Largest interquartile range of a log's friction coefficient over its median at which a coefficient beyond the usual
-/// ones is that of the tool, and how far beyond its upper quartile wiping may go then [1].
+/// Largest interquartile range of a log's friction coefficient, over its median, at which a
+/// coefficient above the usual limit is attributed to the tool; and the share by which wiping may
+/// then exceed the upper quartile [1].
 const STEADY_FRICTION: f64 = 0.25;
 const OVER_FRICTION: f64 = 1.2;
-/// Least way around a piece that has a direction [m], its longest duration [s], and least cosine between its opposite and the force of friction
-/// [1].
+/// Least path around a piece with a direction [m], the longest duration of this path [s], and the
+/// least cosine between friction and the opposite of the direction of motion [1].
 const LEAST_WAY: f64 = 1e-3;
 const LONGEST_WAY: f64 = 0.5;
 const ALONG: f64 = 0.8;
 
-/// Position error of a tool relative to the surface's border [m]: grasp and localisation together.
+/// Error of the tool's position relative to the surface's border [m]: grasp and localisation
+/// together.
 const BORDER: f64 = 5e-3;
 
 /// Detector of events in a log; all slices have one entry per piece.
@@ -214,10 +216,11 @@ impl<'a> EventDetector<'a> {
     }
 }
 
-/// Friction coefficients of a log: tangential over normal force \[1\].
+/// Friction coefficients of a log: tangential force over normal force \[1\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LogFriction {
-    /// 90 % quantile over the confident contacts, at most `limit`: what wiping shows in this log.
+    /// 90 % quantile over the confident contacts, at most `limit`: the usual coefficient of wiping
+    /// in this log.
     pub(super) usual: f64,
     /// The coefficient that wiping may reach.
     pub(super) limit: f64,
@@ -271,7 +274,7 @@ fn opposes_motion(pieces: &[MeasuredPiece], path: &[PathPiece]) -> bool {
     all >= LEAST_CONTACTS && against * 5 >= all * 4
 }
 
-/// Returns the shortest way around a piece that has a direction; `None` for a tool that rests.
+/// Returns the shortest path around a piece that has a direction; `None` for a tool at rest.
 fn way_around(path: &[PathPiece], i: usize) -> Option<Vector2> {
     for reach in 2..path.len() {
         let before = &path[i.saturating_sub(reach)];

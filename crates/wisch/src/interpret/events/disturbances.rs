@@ -9,15 +9,16 @@ use crate::geometry::Vector3;
 /// force of a long tool that the robot lifts oscillates about 0 and stays below 0.3.
 const LEAST_STEADINESS: f64 = 0.5;
 const SWING: f64 = 0.2;
-/// Least time off the surface before an impact that makes it the tool's own landing, and longest duration of that
-/// impact [s].
+/// Least time off the surface before an impact that makes this impact a landing of the tool, and
+/// longest duration of the impact [s].
 const TOUCHDOWN: [f64; 2] = [0.1, 0.3];
 
 /// Time before a strong force within which its beginning is searched [s].
 const RISE: f64 = 0.06;
 
-/// Range of the time constants of a sensor's low-pass filter [s], longest time between contact and its tail [s], fewest pieces
-/// of a tail, largest deviation from an exponential over its initial force [1], and largest initial force over that of the
+/// Tail of a force that the sensor's low-pass filter extends: range of the time constant [s],
+/// longest time between the contact and the tail [s], least number of pieces, largest deviation
+/// from an exponential over the initial force [1], and largest initial force over that of the
 /// contact [1].
 const TAIL: [f64; 2] = [0.02, 1.0];
 const BEFORE_TAIL: f64 = 0.1;
@@ -25,7 +26,7 @@ const FEWEST_IN_TAIL: usize = 4;
 const MOST_OFF_TAIL: f64 = 0.12;
 const MOST_OF_CONTACT: f64 = 1.2;
 
-/// Share of a log from which all pushes together count as hand guiding [1].
+/// Share of a log above which all pushes together count as hand guiding [1].
 const GUIDED_SHARE: f64 = 0.5;
 
 impl EventDetector<'_> {

@@ -16,7 +16,8 @@ pub enum EventKind {
     Landing,
     /// The tool was pressed onto the surface far harder than the task demands.
     Overload,
-    /// The tool vibrated: an inertial force that oscillates about 0, as of a long tool just lifted.
+    /// The tool vibrated: an inertial force that oscillates about 0, for example after a long tool
+    /// was lifted.
     Vibration,
     /// The tool alternately stuck and slipped.
     StickSlip,
@@ -65,7 +66,8 @@ impl EventKind {
         }
     }
 
-    /// Whether a person's hand is on the tool, so that the measured force is the hand's as well as the surface's.
+    /// Whether a person's hand is on the tool, so that the measured force includes the force of the
+    /// hand.
     pub const fn is_by_hand(self) -> bool {
         matches!(self, Self::Push | Self::HandGuiding)
     }

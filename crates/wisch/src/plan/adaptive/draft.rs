@@ -22,14 +22,15 @@ const TRIED_STROKES: usize = 3;
 /// a detour.
 const DAB: f64 = 0.01;
 const TRIED_DETOURS: usize = 3;
-/// Probability that a new push begins with a corner of the tool just over the dirt; and of all other pushes,
-/// that it begins with the tool over the dirt, turned at random [1].
+/// Probability that a new push begins with a corner of the tool just over the dirt; and, of the
+/// remaining pushes, the probability that it begins with the tool over the dirt at a random yaw
+/// [1].
 const WITH_CORNER: f64 = 0.25;
 const WITH_TOOL_OVER: f64 = 0.25;
 /// Probability that a push with a corner of the tool ends within the tool's size, in any direction [1].
 const SHORT_PUSH: f64 = 0.3;
-/// Number of steps towards a place in search of a free pose, largest share of the reach that they use, and
-/// number of directions.
+/// Search for a free pose with a corner of the tool over a place: number of steps towards the
+/// place, the largest share of the corner's reach, and the number of directions.
 const REACHES: i32 = 13;
 const FARTHEST: f64 = 0.99;
 const TRIED_DIRECTIONS: usize = 12;
@@ -257,7 +258,8 @@ impl Mutator<'_> {
         if let Some(landing) = landing
             && self.random.random::<f64>() < SHORT_PUSH
         {
-            // Only out of its corner, from where another stroke may fetch it.
+            // The short push only leads dirt out of its corner, from where another stroke may take
+            // it along.
             let angle = std::f64::consts::TAU * self.random.random::<f64>();
             let length = self.footprint.size().max() * self.random.random::<f64>();
             let by = Vector2::new(libm::cos(angle), libm::sin(angle)) * length;
@@ -422,7 +424,7 @@ impl Mutator<'_> {
     /// Inserts a place with remaining dirt into a stroke, where the detour is shortest.
     fn visit(&mut self, draft: &mut Draft, left: &[Point2]) -> Option<Vec<usize>> {
         let dirt = left[self.random_index(left.len())?];
-        // With the tool's present heading, or turned so that it reaches into a corner.
+        // With the current heading of the tool, or turned so that the tool reaches into a corner.
         let (place, turned) = if self.random.random::<f64>() < ALIGNED {
             (dirt + self.step(), None)
         } else if self.random.random::<bool>() {

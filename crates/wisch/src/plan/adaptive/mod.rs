@@ -29,8 +29,8 @@ const SEARCHES: usize = 4;
 /// Temperatures at the start and at the end: the loss of value accepted with probability 1/e, in shares of the
 /// dirt [1].
 const TEMPERATURES: [f64; 2] = [0.01, 2e-4];
-/// Start temperature where a plan is only repaired [1], and the share of the evaluations that the repair takes
-/// [1].
+/// Start temperature of a search that only repairs a plan [1], and the share of the evaluations
+/// that it uses [1].
 const REPAIR_TEMPERATURE: f64 = 1e-3;
 const REPAIR: f64 = 0.3;
 /// Share of the evaluations that also value the plan for the tool at its exact size, where the dirt is certain
@@ -45,9 +45,9 @@ const MANY_STROKES: usize = 200;
 /// evaluations.
 const MAX_STEPS: usize = 1000;
 
-/// Returns the best plan that the search finds from the given plans, for all given distributions of the dirt.
-/// The result does not depend on the number of threads. A plan that is only repaired leads to none of the
-/// places in `avoid` [m].
+/// Returns the best plan that the search finds from the plans `begun_with`, for all given
+/// distributions of the dirt. The result does not depend on the number of threads. `mending`: the
+/// places that a repaired plan must avoid, in the surface frame [m]; `None` for a full search.
 pub(super) fn search(
     task: &Task,
     dirt: &[ParticleDistribution],
@@ -114,8 +114,8 @@ pub(super) fn search(
     best.map(|(_, draft)| assemble_plan(pattern, draft))
 }
 
-/// Removes from a draft of very many strokes those that touch no dirt in any world: of a grid over a floor,
-/// most do not.
+/// Removes from a draft of more than [`MANY_STROKES`] strokes those that touch no dirt in any
+/// world: most strokes of a grid over a floor touch none.
 fn drop_idle_strokes(mut draft: Draft, valuation: &Valuation<'_>) -> Draft {
     if draft.strokes.len() <= MANY_STROKES {
         return draft;

@@ -12,8 +12,8 @@ use std::rc::Rc;
 
 /// Distance from the start of a stroke on which the force is still rising [m].
 const LANDING: f64 = 0.005;
-/// Depth of a heap of all particles, over the radius of the collision sphere [1]: between what the belief draws
-/// and [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH).
+/// Depth of a heap of all particles, over the radius of the collision sphere [1]: between the
+/// depths of the belief (up to 0.12) and [`HEAP_DEPTH`](crate::represent::HEAP_DEPTH).
 const HEAP: f64 = 0.2;
 /// Number of steps between kept states, more in long drafts; and the largest number of kept states.
 const SPACING: usize = 4;
@@ -24,7 +24,7 @@ const MOST_STATES: usize = 256;
 struct Step {
     motion: Option<ToolMotion>,
     is_first: bool,
-    /// Time from the contact before to that of this step [s].
+    /// Time from the previous contact to the contact of this step [s].
     before: f64,
     /// Whether the tool is lifted after the step.
     lifts: bool,

@@ -3,7 +3,8 @@
 use crate::geometry::{Bounds2, Point2};
 use crate::plan::FreeSpace;
 
-/// Returns the centres of the free square cells of pitch r_s, row by row along x.
+/// Returns the centres of the free square cells of pitch r_s in the surface frame \[m\], row by row
+/// along x.
 ///
 /// ⌊length / r_s⌋ cells per side of the outline's bounding box, centred on it (at least one).
 pub fn grid(space: &FreeSpace) -> Vec<Point2> {

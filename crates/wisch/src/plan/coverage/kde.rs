@@ -19,7 +19,8 @@ pub struct KdeConfig {
     pub reach: f64,
 }
 
-/// Returns the bandwidth of the kernel of (2) by Scott's rule: h = √2 σ N^(−1/6), at most r_s \[m\].
+/// Returns the bandwidth of the kernel of (2) for particles at `points` \[m\], by Scott's rule: h =
+/// √2 σ N^(−1/6), at most r_s, which is `radius` \[m\].
 ///
 /// The factor √2 is there because (2) divides by h² where a normal distribution divides by 2σ². The limit r_s
 /// is there because a wider kernel blurs gaps that are wider than the tool.
@@ -165,7 +166,7 @@ fn cubic_shares(offset: f64) -> [f64; 4] {
     ]
 }
 
-/// Returns the peaks of the particle density, highest first.
+/// Returns the peaks of the particle density in the surface frame \[m\], highest first.
 ///
 /// Each peak keeps the clearance d_s = 2 r_s from the nodes before it and brings at least one particle into
 /// reach, until every particle is within reach of a node. If no such peak is left while particles are still out

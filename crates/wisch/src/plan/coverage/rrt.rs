@@ -27,7 +27,8 @@ impl Default for RrtConfig {
     }
 }
 
-/// Grows a tree from the free place nearest to `start`, by at most r_s at a time, and returns its nodes.
+/// Grows a tree from the free place nearest to `start`, by at most r_s at a time, and returns its
+/// nodes. All places are in the surface frame \[m\].
 ///
 /// Samples are drawn in cells of pitch r_s / 2 that no node covers yet, which biases the tree towards
 /// unexplored regions. A node covers the cells whose centre is within r_s / √2 of it, about as far as a

@@ -28,8 +28,8 @@ pub enum Mount {
         /// The link's axis that points out of the flange; `None` takes that of the robot's SRDF, else z.
         axis: Option<LinkAxis>,
     },
-    /// The hand holds the rear edge of the tool's upper face and leans back, as the hand of a humanoid, which is as thick as
-    /// the tool is wide.
+    /// The hand holds the rear edge of the tool's upper face and leans back, like the hand of a
+    /// humanoid, which is as thick as the tool is wide.
     Hand {
         /// Angle between the hand's z axis and the tool's, against the tool's motion \[rad\].
         lean: f64,

@@ -31,7 +31,7 @@ impl LogNormalSpread {
 }
 
 impl Default for LogNormalSpread {
-    /// Spread of estimated values that nobody measured.
+    /// Spread of estimated values that were never measured.
     fn default() -> Self {
         Self {
             mu: 0.3,
@@ -47,7 +47,8 @@ pub struct Redraw {
     pub length_m: Option<f64>,
     /// Standard deviation of ln ℓ \[1\].
     pub ln_length_spread: f64,
-    /// Probability that a particle keeps its threshold for good \[1\], so that a particle that stays once always stays.
+    /// Probability that a particle keeps its threshold permanently \[1\]: a particle that does not
+    /// respond once never responds to an equal force.
     pub kept_share: f64,
 }
 

@@ -6,9 +6,10 @@ use super::MediumKind;
 const DRY_FRICTION: f64 = 0.8;
 const WET_FRICTION: f64 = 1.5;
 
-/// Returns the friction coefficient of dirt at rest on a surface \[1\], if none is declared. Grains hold by their edges and
-/// wet dirt by adhesion, at least as well as a tool slides on the surface, whose friction is `of_surface` \[1\]. An
-/// assumption, the same in prediction and simulation.
+/// Returns the friction coefficient of dirt at rest on a surface \[1\], if none is declared. Grains
+/// hold by their edges and wet dirt by adhesion, at least as well as a tool that slides on the
+/// surface with the friction `of_surface` \[1\]. An assumption that prediction and simulation
+/// share.
 pub fn dirt_friction(kind: MediumKind, of_surface: f64) -> f64 {
     let of_dirt = match kind {
         MediumKind::Solid | MediumKind::Powder => DRY_FRICTION,
@@ -39,7 +40,7 @@ impl DirtFriction {
     }
 }
 
-/// Properties of a liquid that decide how a film of it runs.
+/// Properties of a liquid that determine how a film of it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Liquid {
     /// Dynamic viscosity [Pa s].
@@ -59,7 +60,7 @@ impl Liquid {
     };
 }
 
-/// Times that a prediction takes a tool to need, during which a film runs.
+/// Durations that a prediction assumes for the tool's motions, during which a film runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolPace {
     /// Speed in contact [m/s].
@@ -88,7 +89,7 @@ pub struct LiquidFilm {
     pub liquid: Liquid,
     /// Volume for which each particle stands \[m³\].
     pub particle_volume: f64,
-    /// Times of the tool in predictions.
+    /// Durations of the tool's motions in predictions.
     pub pace: ToolPace,
 }
 
@@ -105,7 +106,8 @@ pub enum DirtMobility {
 }
 
 impl DirtMobility {
-    /// Returns the mobility of a subset of the dirt that stands for all of it: each particle is more liquid.
+    /// Returns the mobility of the particles of a subset that stands for all dirt: each particle
+    /// stands for more liquid.
     ///
     /// # Parameters
     /// - `share`: share of the particles in the subset \[1\].

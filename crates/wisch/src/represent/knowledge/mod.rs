@@ -186,7 +186,7 @@ pub struct ToolEntry {
     pub second_grip: Option<SecondGrip>,
 }
 
-/// Kind of a medium, which decides how its particles behave.
+/// Kind of a medium, which determines how its particles behave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MediumKind {
     /// Pieces that keep their shape.
@@ -262,10 +262,10 @@ pub struct Interaction {
     pub medium: String,
     /// The surface or surfaces.
     pub surface: SurfaceScope,
-    /// Actions that make sense, at least one.
+    /// Actions for which the tool is suited, at least one.
     pub actions: BTreeSet<Action>,
-    /// Press force of the tool, f_min of equation (9) \[N\]; for a hovering tool, the largest force that holds it in
-    /// place.
+    /// Press force of the tool \[N\], the magnitude of f_min in equation (9); for a hovering tool,
+    /// the largest force that holds it in place.
     pub press_force_n: f64,
     /// Cartesian stiffness of the controller [N/m].
     pub stiffness_n_per_m: f64,
@@ -273,7 +273,8 @@ pub struct Interaction {
     pub damping_ratio: f64,
     /// Weight of the posture task in the null space \[1\].
     pub nullspace_posture_weight: f64,
-    /// Compression of the tool in this interaction \[m\]: the tool's own δ unless the files say otherwise.
+    /// Compression of the tool in this interaction \[m\]: δ of the tool unless the files declare
+    /// another value.
     pub compression_depth_m: f64,
     /// Height at which the tool hovers over the surface \[m\]; 0 for a tool that touches.
     pub gap_m: f64,
@@ -286,9 +287,10 @@ pub struct Interaction {
 }
 
 impl Interaction {
-    /// Returns what is assumed of a tool on a medium of which nothing is known: it presses with 10 N and a stiffness of
-    /// 500 N/m, at a damping ratio of 0.7, is compressed by 5 mm, and half of the particles are affected at 35 % of the press force. These are the values
-    /// of a sponge on crumbs.
+    /// Returns assumed values for a tool on a medium without a known interaction. The tool presses
+    /// with 10 N, a stiffness of 500 N/m and a damping ratio of 0.7, and is compressed by 5 mm.
+    /// Half of the particles are affected at 35 % of the press force. These are the values of a
+    /// sponge on crumbs.
     pub fn assume(tool: &str, medium: &str) -> Self {
         Self {
             tool: tool.to_owned(),
@@ -315,10 +317,11 @@ impl Interaction {
         self.gap_m > 0.0
     }
 
-    /// Sets the force with which the tool presses \[N\], above 0, for a tool whose effect is known at another force. Thresholds
-    /// of particles and stiffness of the tool stay the same in newtons: the likelihood, which is stated over the press
-    /// force, shifts by the logarithm of the ratio, and the compression scales by the ratio, up to twice itself, where
-    /// foam bottoms out. A hovering tool does not press, so that only the force that holds it changes.
+    /// Sets the force with which the tool presses \[N\], above 0, for a tool whose effect is known
+    /// at another force. Thresholds of particles and stiffness of the tool stay the same in
+    /// newtons. The likelihood is stated relative to the press force, so it shifts by the logarithm
+    /// of the ratio. The compression scales by the ratio, at most by two, where foam bottoms out. A
+    /// hovering tool does not press, so only the force that holds it changes.
     ///
     /// ```
     /// use wisch::represent::Interaction;
@@ -353,8 +356,9 @@ impl Interaction {
     }
 }
 
-/// Returns what a prediction leaves out, as a sentence without its full stop. `None` where at least 95 % of the particles
-/// react, and as many as the target demands.
+/// Returns a sentence, without its full stop, about the particles that a prediction assumes to
+/// react although they may not. `None` if at least 95 % of the particles react, and at least the
+/// share that the target requires.
 ///
 /// # Parameters
 /// - `probability`: [`Interaction::reaction_probability`] of the task \[1\].
@@ -548,7 +552,7 @@ impl KnowledgeBase {
     }
 }
 
-/// Probability of a reaction below which it is said beside a prediction [1].
+/// Probability of a reaction below which a prediction states it [1].
 const WEAK_REACTION: f64 = 0.95;
 /// f′ of a contact at nominal force (equation 9).
 const NOMINAL_FORCE: f64 = 1.0;

@@ -11,10 +11,10 @@ use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Random stream of the task's seed for particles; stream 0 is the planner's.
 const PARTICLE_STREAM: u64 = 1;
-/// Draws per particle from which the free area counts as too small.
+/// Draws per particle after which the free area counts as too small.
 const DRAWS_PER_PARTICLE: usize = 1_000;
-/// Distance of the centre of a cluster from the surface at most, over its standard deviation [1]: 2 % of its particles
-/// then lie on the surface.
+/// Largest distance of the centre of a cluster from the surface, over its standard deviation [1]: 2
+/// % of its particles then lie on the surface.
 const MOST_OFF: f64 = 2.0;
 /// Least number of draws before sampling is abandoned.
 const MIN_DRAWS: usize = 100_000;
@@ -30,7 +30,7 @@ pub struct Cluster {
     pub weight: f64,
 }
 
-/// Area where dirt can lie: on the surface, but not under an object.
+/// Area where dirt can lie: on the surface, and not under an object.
 #[derive(Debug, Clone, Copy)]
 pub struct DirtArea<'a> {
     /// Outline of the surface, in its frame \[m\].

@@ -95,7 +95,7 @@ impl<'s, 'a> RoundWatch<'s, 'a> {
 }
 
 impl Session<'_> {
-    /// Lets a prepared executor [finish](Executor::finish), once; does nothing otherwise.
+    /// Calls [`Executor::finish`] once if the executor is prepared; does nothing otherwise.
     ///
     /// [`step`](Self::step) does this at the end of the session and after an error. Call it to leave a session before its
     /// end. If the session continues later, it prepares its executor again.
@@ -105,7 +105,7 @@ impl Session<'_> {
         }
     }
 
-    /// The error with which the executor finished, if there was one. The rounds are not affected by it.
+    /// The error of [`Executor::finish`], if it failed. The rounds are not affected by it.
     pub const fn finish_failure(&self) -> Option<&ExecutorError> {
         self.finish_failure.as_ref()
     }
@@ -230,7 +230,7 @@ impl Session<'_> {
     }
 }
 
-/// Returns what is known of a motion that an error has ended; `None` if nothing was measured.
+/// Returns the known data of a motion that ended with an error; `None` if nothing was measured.
 ///
 /// `time`: time of the last sample \[s\]. `positions`: last measured positions, or empty.
 fn keep_execution(
@@ -251,8 +251,8 @@ fn keep_execution(
     })
 }
 
-/// Passes a sample to the interpreter: as touch, or as one without a usable wrench. A tool that `hovers` is interpreted by its
-/// poses alone.
+/// Passes a sample to the interpreter: as a sample with contact forces, or as a sample without a
+/// usable wrench. A tool that `hovers` is interpreted by its poses alone.
 fn take_touch(
     interpreter: &mut Interpreter,
     sample: &TelemetrySample<'_>,

@@ -12,7 +12,7 @@ use crate::run::{CandidateEvaluation, Observer, PlannedRound, RunError, RunEvent
 /// The plan of the next round.
 #[derive(Debug)]
 pub(super) enum NextPlan {
-    /// A plan without a motion so far.
+    /// A plan for which no motion was computed yet.
     Alone(Plan),
     /// A plan that was chosen with its motion.
     Followed(Box<PlannedRound>),
@@ -28,7 +28,7 @@ impl NextPlan {
 }
 
 impl Session<'_> {
-    /// Plans the rest of the task. In later rounds returns `None` if no plan is predicted to gain anything.
+    /// Plans the rest of the task. In later rounds, returns `None` if no plan has a predicted gain.
     pub(super) fn next_plan(
         &mut self,
         observer: &mut Observer<'_>,
@@ -70,11 +70,11 @@ impl Session<'_> {
                 };
                 let mut open = remaining_dirt(task, goal)?;
                 if is_treated {
-                    // The round covers only places where the belief expects missing treatment.
+                    // The round covers only places where the belief predicts missing treatment.
                     if open.is_empty() {
                         return Ok(None);
                     }
-                    // Places that are done still limit the number of passes.
+                    // Finished places still limit the number of passes.
                     open = task.particles.clone();
                 }
                 let left = PlanConfig {
@@ -107,18 +107,18 @@ impl Session<'_> {
         }))
     }
 
-    /// Evaluates the plans of all strategies for the believed dirt, also of those that the session does not use. With a
-    /// robot, each plan is evaluated as the robot executes it.
+    /// Evaluates the plans of all strategies for the believed dirt, including strategies that the
+    /// session does not use. With a robot, each plan is evaluated as the robot executes it.
     ///
     /// # Errors
-    /// Geometry that the libraries refuse.
+    /// [`RunError::Plan`] for geometry that the libraries refuse.
     pub fn evaluate_candidates(&self) -> Result<Vec<CandidateEvaluation>, RunError> {
         let (considered, _) = self.consider_plans()?;
         Ok(considered)
     }
 
-    /// Does the same, and also returns the motion of the plan with the highest score, if the session has a
-    /// robot.
+    /// Evaluates the candidates as [`Self::evaluate_candidates`] does, and also returns the motion
+    /// of the plan with the highest score, if the session has a robot.
     fn consider_plans(
         &self,
     ) -> Result<(Vec<CandidateEvaluation>, Option<Box<PlannedRound>>), RunError> {
