@@ -65,7 +65,7 @@ Examples:
   wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
-Exit codes of run: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. The help of a command states its exit codes."
+Exit codes of run: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. Other commands: 0 success, 2 an error; the help of a command states others."
 )]
 pub struct Cli {
     /// The command.
@@ -306,7 +306,9 @@ Examples:
 Examples:
   wisch check board.toml
   wisch check board.toml --strategy kde --set plan.bandwidth_m=0.04
-  wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'")]
+  wisch check board.toml --robot arm7 --set 'robot.position_m=[0, -0.45, 0.75]'
+
+Exit codes: 0 the task is valid, 1 the score of its plan is below plan.min_score or the robot reaches no stroke, 2 an error.")]
     Check(CheckArgs),
     /// Set up, check and map a robot; test and simulate a robot that speaks ROS 2
     #[command(subcommand, arg_required_else_help = true)]

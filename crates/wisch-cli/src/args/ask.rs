@@ -28,7 +28,7 @@ pub struct AskArgs {
     /// Print the answers as CSV
     #[arg(long)]
     pub csv: bool,
-    /// Draw the plots that the query requests, with its answers, into this HTML file
+    /// Write the answers, the plots and the scene that the query shows, and the recordings of its episodes into this HTML file
     #[arg(long, value_name = "FILE", requires = "query", value_hint = ValueHint::FilePath)]
     pub view: Option<PathBuf>,
     /// Maximum number of answers

@@ -56,7 +56,7 @@ set the date with --start-s.")]
     #[command(after_help = "\
 Exit codes: 0 all episodes are intact, 1 some files are damaged, 2 an error.")]
     Verify(MemoryVerifyArgs),
-    /// Find drifts and sudden changes of robot, tool and surface over the episodes, and forecast their limits
+    /// Find drifts and sudden changes of robot, tool and surface over the episodes, and forecast when a limit is reached
     #[command(after_help = "\
 Examples:
   wisch memory health

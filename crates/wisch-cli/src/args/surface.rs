@@ -88,7 +88,7 @@ pub struct SurfaceMeshArgs {
     /// Take the part of the mesh that is nearest to this point [m] [default: the largest part]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub seed_point: Option<Vector3>,
-    /// Direction from the surface to the tool; required for a closed mesh [default: the side that most of the area faces in the file]
+    /// Direction from the surface to the tool; required for a closed mesh [default: the side to which the normals of most of the area point in the file]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
     pub towards: Option<Vector3>,
     /// Leave out triangles whose normals deviate from --towards by more than this angle [rad] [default: 1.2 for a closed

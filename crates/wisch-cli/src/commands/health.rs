@@ -108,7 +108,7 @@ fn in_words(report: &HealthReport) -> String {
     );
     text + &wrap(
         0,
-        "Tracking errors are not assessed: episodes do not record them.",
+        "Tracking errors are not assessed: they are in the telemetry of an episode, which health does not read.",
     )
 }
 

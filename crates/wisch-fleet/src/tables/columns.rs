@@ -417,7 +417,7 @@ pub const TABLES: [Table; 7] = [
                 "peak_height_m",
                 ColumnKind::Number,
                 "m",
-                "height of the tool above the surface at the peak",
+                "largest distance of the tool from the fitted plane of the surface",
             ),
             column(
                 "edge_distance_m",
