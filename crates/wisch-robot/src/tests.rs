@@ -242,7 +242,7 @@ fn a_mesh_in_millimetres_is_noticed() {
     let diagnostics = check("test.urdf", &text, &mut |_| Ok(bytes.clone())).unwrap();
     assert_eq!(diagnostics.len(), 1);
     assert_eq!(diagnostics[0].kind, DiagnosticKind::MeshScale);
-    assert_eq!(diagnostics[0].value, "mesh \"b.stl\" is 3.000e2 m long");
+    assert_eq!(diagnostics[0].value, "mesh \"b.stl\" is 300 m long");
     let scaled = text.replace("b.stl\"", "b.stl\" scale=\"0.001 0.001 -0.001\"");
     let robot = RobotModel::from_urdf("test.urdf", &scaled, &mut |_| Ok(bytes.clone())).unwrap();
     assert_eq!(robot.diagnostics(), []);

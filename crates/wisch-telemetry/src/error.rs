@@ -256,6 +256,16 @@ pub enum ReadFault {
         /// Latest time before \[s\].
         last: f64,
     },
+    /// A table has numbers with commas and numbers with points.
+    #[error(
+        "line {line}: {text:?}: the table has numbers with commas and numbers with points, and does not say which are decimal: remove separators of thousands"
+    )]
+    DecimalMarks {
+        /// Line of the first number with the other mark.
+        line: usize,
+        /// That number as written.
+        text: String,
+    },
     /// A message of a sample is invalid.
     #[error("topic {topic}: {problem}")]
     Sample {

@@ -48,7 +48,11 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
         let near = LENGTHS
             .into_iter()
             .filter(|(unit, _)| distance(*unit) < NEAR);
-        let strange = |unit: f64| (spread * unit / USUAL_SPREAD).ln().abs();
+        // A wiping tool is near its surface, and its path has a usual size; a tool closer than that size is near enough.
+        let strange = |unit: f64| {
+            let beyond = (distance(unit) / USUAL_SPREAD).max(1.0);
+            (spread * unit / USUAL_SPREAD).ln().abs() + beyond.ln()
+        };
         let advice = match near.min_by(|a, b| strange(a.0).total_cmp(&strange(b.0))) {
             Some((unit, name)) => format!(
                 "in {name} (--length-unit-m {}) it would be {:.2} m",
@@ -60,10 +64,10 @@ pub(crate) fn doubts(samples: &[TouchSample], options: &LogOptions) -> Vec<Strin
         doubts.push(format!("the tool is {far:.1} m from the surface: {advice}"));
     }
     if let Some(period) = median(steps().map(|(a, b)| b.time - a.time))
-        && period > LONG_PERIOD
+        && period >= LONG_PERIOD
     {
         doubts.push(format!(
-            "a sample every {period:.3} s is too slow to show how a tool moves: check --time-unit-s"
+            "a sample every {period:.3} s is too slow to show how a tool moves: check --time-unit-s; if the times count samples, it is their period"
         ));
     }
     let moved: f64 = steps().map(|(a, b)| way(a, b)).sum();
@@ -126,6 +130,27 @@ mod tests {
             ..LogOptions::default()
         };
         doubts(&samples, &options)
+    }
+
+    #[test]
+    fn a_small_board_in_centimetres_is_not_in_inches() {
+        let middle = Vector3::new(0.5, 0.0, 0.8);
+        let sample = |tick: u32| {
+            let time = f64::from(tick) / 25.0;
+            let along = 0.1 * (time % 2.0) - 0.1;
+            let pose = Pose::translation(50.0 + 100.0 * along, 3.0, 80.0);
+            TouchSample::new(time, pose, Vector3::z() * 10.0)
+        };
+        let samples: Vec<TouchSample> = (0..250).map(sample).collect();
+        let options = LogOptions {
+            world_from_surface: Pose::translation(middle.x, middle.y, middle.z),
+            ..LogOptions::default()
+        };
+        let found = doubts(&samples, &options).swap_remove(0);
+        assert!(
+            found.contains("in centimetres (--length-unit-m 0.01)"),
+            "{found}"
+        );
     }
 
     #[test]

@@ -34,6 +34,11 @@ pub enum QuantityError {
         /// Largest deviation of its columns from orthonormal \[1\].
         deviation: f64,
     },
+    /// A matrix is written row by row.
+    #[error(
+        "the matrix is not homogeneous column by column: m3, m7 and m11 are not 0; if it is written row by row, write it column by column, with the position in m12 to m14"
+    )]
+    MatrixRows,
     /// A quaternion is not a rotation.
     #[error(
         "the quaternion has a length of {norm}, which is not within {QUATERNION_TOLERANCE} of 1"

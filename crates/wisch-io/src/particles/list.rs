@@ -17,7 +17,7 @@ const MAX_POSITION: f64 = 100.0;
 const BORDER: f64 = 1e-9;
 
 /// Reads particles from a CSV text: two columns x and y \[m\] in the surface frame, without a header or with one that
-/// names them in either order (`x,y`, `y_m,x_m`; `x_mm,y_mm` for millimetres); or a list with fates as
+/// names them in either order (`x,y`, `y_m,x_m`, `x [m],y [m]`; `x_mm,y_mm` or `x [mm],y [mm]` for millimetres); or a list with fates as
 /// [`particles_to_csv`] writes it.
 /// Lines that start with `#` are skipped.
 ///
@@ -253,7 +253,13 @@ fn header(cells: &[&str]) -> Option<Columns> {
         return None;
     };
     let (first, second) = (first.to_lowercase(), second.to_lowercase());
-    for (suffix, per_metre) in [("", 1.0), ("_m", 1.0), ("_mm", 1e3)] {
+    for (suffix, per_metre) in [
+        ("", 1.0),
+        ("_m", 1.0),
+        (" [m]", 1.0),
+        ("_mm", 1e3),
+        (" [mm]", 1e3),
+    ] {
         let (x, y) = (format!("x{suffix}"), format!("y{suffix}"));
         let y_is_first = first == y && second == x;
         if y_is_first || (first == x && second == y) {
@@ -359,8 +365,13 @@ fn read_length(column: &str, cell: &str, per_metre: f64) -> Result<f64, String> 
     if value.is_finite() && value.abs() <= MAX_POSITION {
         Ok(value)
     } else {
+        let hint = if value.is_finite() {
+            "; name columns in millimetres x_mm and y_mm"
+        } else {
+            ""
+        };
         Err(format!(
-            "{column} = {value} m is outside its limits: at least -{MAX_POSITION} and at most {MAX_POSITION}"
+            "{column} = {value} m is outside its limits: at least -{MAX_POSITION} and at most {MAX_POSITION}{hint}"
         ))
     }
 }

@@ -15,8 +15,10 @@ const LEAST_MESH_LIMIT: f64 = 2.0;
 /// Shortest mesh of a link [m].
 const MIN_MESH_EXTENT: f64 = 1e-3;
 /// Usual length of a link's mesh: at least this [m], and at most this share of the robot's reach [1].
-const LEAST_USUAL_MESH: f64 = 0.03;
+const LEAST_USUAL_MESH: f64 = 0.005;
 const USUAL_MESH_PER_REACH: f64 = 0.5;
+/// Least value of that share [m].
+const LEAST_USUAL_MOST: f64 = 0.3;
 
 /// Returns the longest extent of a mesh [m] for a robot of this reach [m].
 fn mesh_limit(reach: f64) -> f64 {
@@ -31,7 +33,7 @@ fn mesh_limit(reach: f64) -> f64 {
 fn guess_units(extent: f64, reach: f64) -> Option<LikelyUnits> {
     let most = LEAST_MESH_LIMIT;
     let usual = match reach > 0.0 {
-        true => (USUAL_MESH_PER_REACH * reach).clamp(10.0 * LEAST_USUAL_MESH, most),
+        true => (USUAL_MESH_PER_REACH * reach).clamp(LEAST_USUAL_MOST, most),
         false => most,
     };
     LikelyUnits::guess(extent, [LEAST_USUAL_MESH, usual], [MIN_MESH_EXTENT, most])
@@ -235,7 +237,7 @@ pub(super) fn load(
             if !(MIN_MESH_EXTENT..=most).contains(&extent) {
                 let units = guess_units(extent, reach);
                 let w = words(
-                    format!("mesh {file:?} is {extent:.3e} m long"),
+                    format!("mesh {file:?} is {} m long", significant(extent)),
                     match extent > most {
                         true if reach > 0.0 => {
                             format!("at most {most:.1} m on a robot of {reach:.2} m reach")
@@ -266,6 +268,11 @@ pub(super) fn load(
         link_from_shape: shape.link_from_shape,
         shape: solid,
     })
+}
+
+/// Rounds a length to four significant digits.
+pub(super) fn significant(length: f64) -> f64 {
+    format!("{length:.3e}").parse().unwrap_or(length)
 }
 
 /// Formats a factor without rounding errors.

@@ -1,5 +1,6 @@
 //! Checks whether lengths, masses and angles of a URDF are in metres, kilograms and radians.
 
+use super::collision::significant;
 use super::diagnostics::{Diagnostics, words};
 use super::elements::{Urdf, UrdfJoint};
 use crate::geometry::LikelyUnits;
@@ -69,7 +70,10 @@ pub(super) fn check(urdf: &Urdf, reach: f64, report: &mut Diagnostics) {
             None => "give lengths in metres".to_owned(),
         };
         let w = words(
-            format!("its joints are {reach:.3e} m from the root to the farthest link"),
+            format!(
+                "its joints are {} m from the root to the farthest link",
+                significant(reach)
+            ),
             format!("{least} m to {most} m"),
             advice,
         );

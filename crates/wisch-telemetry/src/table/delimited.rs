@@ -39,6 +39,7 @@ pub(super) struct Delimited<'a> {
     body: &'a str,
     first_line: usize,
     decimal_commas: Shared<bool>,
+    decimal_points: Shared<bool>,
     cut_off: Shared<bool>,
 }
 
@@ -81,6 +82,7 @@ impl<'a> Delimited<'a> {
                             body: rest,
                             first_line: line + 1,
                             decimal_commas: Shared::new(false),
+                            decimal_points: Shared::new(false),
                             cut_off: Shared::new(false),
                         };
                         return Ok((table, layout));
@@ -215,7 +217,7 @@ impl<'a> Delimited<'a> {
             Some(text) if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) => {
                 Ok(Cell::Empty)
             }
-            Some(text) => self.cell(text).map(Cell::Text),
+            Some(text) => self.cell(line, text).map(Cell::Text),
         };
         let cells = wanted
             .iter()
@@ -225,17 +227,26 @@ impl<'a> Delimited<'a> {
     }
 
     /// Returns a value with a point as decimal separator. A comma is a decimal separator only if no comma separates
-    /// values.
-    fn cell<'b>(&self, text: &'b str) -> Result<Cow<'b, str>, ReadFault> {
-        let may_be_comma = self.separator != Separator::Character(b',');
-        if may_be_comma && text.contains(',') && !text.contains('.') {
+    /// values, and then no value has a decimal point: "1,870" may be 1870 in such a table.
+    fn cell<'b>(&self, line: usize, text: &'b str) -> Result<Cow<'b, str>, ReadFault> {
+        if self.separator == Separator::Character(b',') {
+            return Ok(text.into());
+        }
+        let mut value = Cow::from(text);
+        if text.contains(',') && !text.contains('.') {
             let pointed = text.replacen(',', ".", 1);
             if pointed.parse::<f64>().is_ok() {
                 self.decimal_commas.set(true);
-                return Ok(pointed.into());
+                value = pointed.into();
             }
+        } else if text.contains('.') && text.parse::<f64>().is_ok() {
+            self.decimal_points.set(true);
         }
-        Ok(text.into())
+        if self.decimal_commas.get() && self.decimal_points.get() {
+            let text = text.to_owned();
+            return Err(ReadFault::DecimalMarks { line, text });
+        }
+        Ok(value)
     }
 }
 

@@ -7,6 +7,8 @@ use wisch::geometry::{Pose, Vector3};
 
 /// Largest deviation of a matrix from a rotation [1]: logs round to a few digits.
 const MATRIX_TOLERANCE: f64 = 0.02;
+/// Largest deviation of the zeros of a homogeneous matrix [1].
+const ZERO: f64 = 1e-6;
 
 impl OrientationForm {
     /// This crate's names of its numbers.
@@ -47,6 +49,9 @@ pub(super) fn pose(form: OrientationForm, numbers: &[f64]) -> Result<Pose, Quant
 
 /// Returns the rotation in a homogeneous matrix, column by column.
 fn rotation_of(columns: &[f64]) -> Result<UnitQuaternion<f64>, QuantityError> {
+    if [3, 7, 11].iter().any(|&k| columns[k].abs() > ZERO) {
+        return Err(QuantityError::MatrixRows);
+    }
     let column = |k: usize| Vector3::from_row_slice(&columns[4 * k..4 * k + 3]);
     let matrix = Matrix3::from_columns(&[column(0), column(1), column(2)]);
     let deviation = (matrix.transpose() * matrix - Matrix3::identity()).amax();
@@ -84,6 +89,16 @@ mod tests {
                 prop_assert_eq!(pose.translation.vector, Vector3::new(1.0, 2.0, 3.0));
             }
         }
+    }
+
+    #[test]
+    fn a_matrix_row_by_row_is_refused() {
+        let matrix = Pose::translation(0.4, 0.0, 0.2)
+            .to_homogeneous()
+            .transpose();
+        let numbers = [&[0.0; 3], matrix.as_slice()].concat();
+        let refused = pose(OrientationForm::Matrix, &numbers).unwrap_err();
+        assert!(matches!(refused, QuantityError::MatrixRows), "{refused}");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::config::{InterpretConfig, OtherForce};
 use super::contact::{
     ClassifiedPath, ContactClassifier, ContactLevels, Downsampler, FittedPlane, ForceReading,
     MeasuredPiece, MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness,
-    TouchSample, find_stiffness, middle,
+    TouchSample, find_stiffness, median, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
@@ -408,7 +408,7 @@ impl Interpreter {
         if let Some(change) = reading.bias_change.filter(|change| change.persists) {
             // The changed bias explains these forces.
             let most = BIAS_FORCE * change.size;
-            events.retain(|event| !event.kind.is_by_hand() || event.peak_force > most);
+            events.retain(|event| !event.kind.is_by_hand() || median_force(pieces, event) > most);
         }
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
@@ -675,4 +675,12 @@ pub fn interpret<'a>(
         interpreter.push(sample)?;
     }
     interpreter.conclude(believed, goal)
+}
+
+/// Median size of the force during an event [N].
+fn median_force(pieces: &[MeasuredPiece], event: &Event) -> f64 {
+    let during = |piece: &&MeasuredPiece| piece.time[1] > event.start && piece.time[0] < event.end;
+    let forces = pieces.iter().filter(during);
+    let forces = forces.map(|piece| (piece.force.norm(), piece.time[1] - piece.time[0]));
+    median(forces.collect())
 }

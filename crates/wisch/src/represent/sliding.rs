@@ -15,6 +15,9 @@ use super::{
 use crate::geometry::{Bounds2, Edge, Point2, Vector2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+/// Slope from which no coefficient of friction is compared with the tangent [rad]: 89°, whose tangent is 57.
+const STEEPEST: f64 = 89.0 * PI / 180.0;
+
 /// Step at which the path of a sliding particle is checked for objects, and at which it is integrated [m].
 const STEP: f64 = 0.002;
 /// Largest number of steps along a straight path, and along an integrated path.
@@ -54,7 +57,7 @@ impl std::fmt::Display for SteepSurface {
             left,
         } = self;
         let angle = slope.to_degrees();
-        let steep = match *slope < FRAC_PI_2 {
+        let steep = match *slope < STEEPEST {
             true => format!(
                 "tan({angle:.1}°) = {:.2} exceeds the friction of the dirt on it, {friction}",
                 slope.tan()

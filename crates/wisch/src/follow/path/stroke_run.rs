@@ -9,11 +9,15 @@ use crate::follow::{AllowedContact, Attempt, Obstruction, Phase, SearchScope, To
 use crate::geometry::PlanarPose;
 use crate::plan::Stroke;
 use crate::robot::JointPositions;
+use std::ops::RangeInclusive;
 
-/// Number of starts for each orientation of the tool at the start of a stroke, beside the current
-/// configuration: for the planned orientation, and for any orientation.
-const EXACT_STARTS: u64 = 8;
-const STARTS: u64 = 2;
+/// Starts for each orientation of the tool at the start of a stroke: the lifted tool moves on over the surface, or free motion
+/// leads to a configuration near the current one or near the ready posture.
+const NEAR_STARTS: RangeInclusive<u64> = 0..=2;
+/// Further starts, anywhere.
+const RANDOM_STARTS: RangeInclusive<u64> = 3..=8;
+/// Number of orientations for random starts where the orientation does not matter.
+const RANDOM_ORIENTATIONS: usize = 4;
 /// Number of configurations that are checked for one without collision.
 const FREE_TRIES: u64 = 4;
 /// Rotation from the plan per node below which a stroke counts as planned [rad].
@@ -94,7 +98,8 @@ struct Contact {
 /// Follows the longest possible part of a stroke through its `planned` corners, from any of several configurations.
 ///
 /// The known configuration at the first corner is tried before all others. The tool first keeps the planned
-/// orientation exactly; only if no configuration can do that, all its orientations are tried.
+/// orientation exactly; only if no configuration can do that, all its orientations are tried, and only then random
+/// configurations.
 ///
 /// # Errors
 /// The failed attempts, if the tool cannot even touch down at the first corner.
@@ -119,12 +124,14 @@ pub(in crate::follow) fn run(
         attempts: Vec::new(),
         best: None,
     };
+    let stride = orientations.len().div_ceil(RANDOM_ORIENTATIONS).max(1);
+    let few: Vec<ToolOrientation> = orientations.iter().copied().step_by(stride).collect();
     // If the orientation does not matter, it need not be kept.
-    let is_exact = arm.keeps_heading && search.try_any(&exact, EXACT_STARTS);
-    if !is_exact
-        && !search.try_any(orientations, STARTS)
-        && arm.config.search == SearchScope::Global
-    {
+    let of_random = if arm.keeps_heading { &exact } else { &few };
+    let is_whole = arm.keeps_heading && search.try_any(&exact, NEAR_STARTS)
+        || search.try_any(orientations, NEAR_STARTS)
+        || search.try_any(of_random, RANDOM_STARTS);
+    if !is_whole && arm.config.search == SearchScope::Global {
         search.repeat_globally(orientations);
     }
     search.best.map(|(run, ..)| run).ok_or(search.attempts)
@@ -146,9 +153,9 @@ impl Search<'_> {
     /// Tries configurations until a run completes the stroke about as planned; returns whether one does.
     ///
     /// The lifted tool first moves on over the surface; then configurations reached by free motion are tried.
-    fn try_any(&mut self, orientations: &[ToolOrientation], starts: u64) -> bool {
+    fn try_any(&mut self, orientations: &[ToolOrientation], starts: RangeInclusive<u64>) -> bool {
         let mut tried = 0;
-        for start in 0..=starts {
+        for start in starts {
             if start == 0 && self.now.tool.is_none() {
                 continue;
             }

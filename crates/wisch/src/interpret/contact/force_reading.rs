@@ -101,6 +101,8 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) pressed: Option<f64>,
     /// Whether the tool pressed with the declared force for at least a part of the time.
     is_as_declared: bool,
+    /// Index of the piece in the middle of the contact; 0 without contact.
+    middle_of_contact: usize,
     /// Delay of the force's clock behind the position's [s]; 0 if they agree.
     pub(in crate::interpret) clock_offset: f64,
     /// Whether the log shows free motion, so that the bias is known.
@@ -198,6 +200,7 @@ impl ForceReading {
             direction: PressDirection::Outward,
             pressed: None,
             is_as_declared: true,
+            middle_of_contact: 0,
             clock_offset: 0.0,
             has_free_motion: known.is_some(),
             bias_change: find_bias_change(pieces, &high, &is_clear, axes),
@@ -232,6 +235,7 @@ impl ForceReading {
             direction,
             pressed: None,
             is_as_declared: true,
+            middle_of_contact: contact.on[contact.on.len() / 2],
             clock_offset: contact.clock_offset,
             has_free_motion: true,
             bias_change: find_bias_change(&pieces, &contact.free, &contact.is_clear, contact.axes),
@@ -301,9 +305,10 @@ impl ForceReading {
         read.collect()
     }
 
-    /// Bias along the surface's normal, as measured at the first piece [N].
+    /// Bias along the surface's normal in the middle of the contact, or at the first piece without contact [N].
     pub(in crate::interpret) fn normal_bias(&self, pieces: &[MeasuredPiece]) -> f64 {
-        (pieces.first()).map_or(0.0, |first| self.axes.to_surface(first, self.bias).z)
+        let piece = pieces.get(self.middle_of_contact);
+        piece.map_or(0.0, |piece| self.axes.to_surface(piece, self.bias).z)
     }
 
     /// Force in free motion at the first piece, in the axes of the believed surface [N].
@@ -571,10 +576,12 @@ fn most_plausible(contacts: Vec<(f64, SlidingContact)>) -> Option<SlidingContact
 
 /// Returns the axes in which the bias is constant: those of the surface, unless the log shows a
 /// bias that rotates with the tool.
+///
+/// Free motion decides if the tool rotates in it. Otherwise contact counts too, which also has friction.
 fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> SensorAxes {
-    let variation = |axes: SensorAxes| {
+    let variances = |axes: SensorAxes| {
         let (bias, _) = bias_and_noise(pieces, free, axes);
-        let of = |some: &[usize]| {
+        [on, free].map(|some| {
             let forces = some
                 .iter()
                 .map(|&i| axes.without_bias(&pieces[i], pieces[i].force, bias));
@@ -582,10 +589,18 @@ fn sensor_axes(pieces: &[MeasuredPiece], on: &[usize], free: &[usize]) -> Sensor
             let mean = forces.iter().sum::<Vector3>() / forces.len() as f64;
             let squares = forces.iter().map(|force| (force - mean).norm_squared());
             squares.sum::<f64>() / forces.len() as f64
-        };
-        (of(on) + of(free)).sqrt()
+        })
     };
-    if variation(SensorAxes::Tool) < FRAME_PREFERENCE * variation(SensorAxes::Surface) {
+    let in_tool = variances(SensorAxes::Tool);
+    let in_surface = variances(SensorAxes::Surface);
+    let preference = FRAME_PREFERENCE * FRAME_PREFERENCE;
+    let is_in_tool = if in_surface[1] < preference * in_tool[1] {
+        false
+    } else {
+        in_tool[1] < preference * in_surface[1]
+            || in_tool.iter().sum::<f64>() < preference * in_surface.iter().sum::<f64>()
+    };
+    if is_in_tool {
         SensorAxes::Tool
     } else {
         SensorAxes::Surface

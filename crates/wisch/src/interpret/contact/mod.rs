@@ -34,3 +34,4 @@ pub use residuals::{ContactResidual, RESIDUAL_CELL};
 pub use stiffness::ToolStiffness;
 pub(super) use stiffness::{MeasuredStiffness, StiffnessBelief};
 pub(super) use tool_on_bend::ToolOnBend;
+pub(super) use weighted::median;

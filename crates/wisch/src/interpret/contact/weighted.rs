@@ -1,7 +1,7 @@
 //! Robust statistics of weighted values.
 
 /// Weighted median. The weights are times, as a fast motion yields the most pieces. 0 for an empty list.
-pub(super) fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
+pub(in crate::interpret) fn median(mut weighed: Vec<(f64, f64)>) -> f64 {
     weighed.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let all: f64 = weighed.iter().map(|&(_, weight)| weight).sum();
     let mut passed = 0.0;
