@@ -510,7 +510,11 @@ fn force_in_words(record: &InterpretationRecord) -> String {
     let pressed = (record.pressed_force_n)
         .map_or_else(String::new, |force| format!("pressed with {force:.1} N; "));
     match record.force_bias_n {
-        Some(bias) => format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted"),
+        Some(bias) => {
+            // Without the sign of a zero.
+            let bias = (100.0 * bias).round() / 100.0 + 0.0;
+            format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted")
+        }
         None => {
             format!("{pressed}bias unknown, because the log shows no calm free motion: 0 N assumed")
         }
