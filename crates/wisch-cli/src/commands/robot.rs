@@ -276,7 +276,7 @@ fn report(
     match (robot, srdf) {
         (Some(_), Some(srdf)) => text += &format!("  with {srdf}\n"),
         (Some(_), None) => {
-            text += "  no SRDF: the longest chain wipes, and there is no \"ready\" state\n"
+            text += "  no SRDF: the first arm wipes, and there is no \"ready\" state\n"
         }
         (None, _) => {}
     }

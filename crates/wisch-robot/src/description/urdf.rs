@@ -604,7 +604,7 @@ impl<'a> Reader<'a> {
             high.map_or(upper, |hard| hard.min(upper)),
         ];
         if narrowed[0] >= narrowed[1] {
-            let value = format!("soft limits {lower} to {upper} share no range with <limit>");
+            let value = format!("soft limits {lower} to {upper}, outside those of <limit>");
             let advice = "the soft limits are ignored: correct them, or remove <safety_controller>";
             self.warn_of_soft_limits(soft, joint, value, advice);
             return Ok(None);
@@ -628,7 +628,7 @@ impl<'a> Reader<'a> {
         let upper = self.limit(soft, "soft_upper_limit")?;
         let (range, absent) = match (lower, upper) {
             (Some(lower), Some(upper)) if lower > upper => {
-                let value = format!("soft limits {lower} and {upper} are reversed");
+                let value = format!("reversed soft limits, {lower} and {upper}");
                 let advice = "they are exchanged; correct them";
                 self.warn_of_soft_limits(soft, joint, value, advice);
                 return Ok(Some([upper, lower]));
