@@ -46,7 +46,7 @@ pub enum AllowedContact {
 /// The planning group, and the robot's pose.
 #[derive(Debug, Clone)]
 pub struct WorkcellConfig {
-    /// Name of the SRDF's group; `None` takes its first, or without a group as [`PlanningGroup::choose`] does.
+    /// Name of the SRDF's group; `None` takes its first, see [`PlanningGroup::choose`].
     pub group: Option<String>,
     /// Name of the SRDF's group whose hand holds the tool's second grip; `None` leaves it free.
     pub second_group: Option<String>,
