@@ -179,20 +179,7 @@ impl Robot {
                 counterbalanced.join(", ")
             ));
         }
-        let groups = self.srdf.as_ref().map(|srdf| srdf.groups.len());
-        if groups.is_none_or(|count| count == 0)
-            && let Ok(group) = PlanningGroup::choose(model, self.srdf.as_ref(), None)
-        {
-            let lacks = match groups {
-                None => "it has no SRDF, and so no group",
-                Some(_) => "its SRDF has no group that is a chain",
-            };
-            let [base, tip] = [group.base, group.tip].map(|link| &model.links()[link.index()].name);
-            remarks.push(format!(
-                "robot {:?}: {lacks}: it wipes with the chain from {base:?} to {tip:?}",
-                model.name()
-            ));
-        }
+        remarks.extend(describe_assumed_chain(model, self.srdf.as_ref()));
         if let Some(StartAssumption { lacks, begins }) =
             StartAssumption::find(model, self.srdf.as_ref())
         {
@@ -373,6 +360,21 @@ fn list_warnings<'a>(
         ));
     }
     all
+}
+
+/// Returns the remark on the chain that wipes although the robot has no group; `None` if it has one.
+fn describe_assumed_chain(robot: &RobotModel, srdf: Option<&Srdf>) -> Option<String> {
+    let lacks = match srdf {
+        None => "it has no SRDF, and so no group",
+        Some(srdf) if srdf.groups.is_empty() => "its SRDF has no group that is a chain",
+        Some(_) => return None,
+    };
+    let group = PlanningGroup::choose(robot, srdf, None).ok()?;
+    let [base, tip] = [group.base, group.tip].map(|link| &robot.links()[link.index()].name);
+    Some(format!(
+        "robot {:?}: {lacks}: it wipes with the chain from {base:?} to {tip:?}",
+        robot.name()
+    ))
 }
 
 /// Describes the meshes of collision shapes that cannot be read.

@@ -12,6 +12,7 @@ mod executor;
 mod interpret;
 mod memory;
 mod motion;
+mod mutex;
 mod pictures;
 mod plan;
 mod program;

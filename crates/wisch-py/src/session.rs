@@ -8,6 +8,7 @@ use crate::arrays::{self, Matrix};
 use crate::error::{of_record, of_run, plain, refused};
 use crate::executor::{PreparedExecutor, PyExecutor, finish_prepared};
 use crate::motion::PyMotion;
+use crate::mutex::lock;
 use crate::pictures;
 use crate::plan::PyPlan;
 use crate::round::{PyAudit, PyRound};
@@ -20,7 +21,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
+use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
 use std::time::Duration;
 use wisch::plan::Plan;
 use wisch::recover::Verdict;
@@ -92,11 +93,6 @@ fn keep(record: &Mutex<Option<RunRecord>>, event: &RunEvent<'_>) -> ControlFlow<
     let mut record = lock(record);
     let flow = record.as_mut().map(|record| record.on_event(event));
     flow.unwrap_or(ControlFlow::Continue(()))
-}
-
-/// Locks a mutex, also after a panic of another thread.
-pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Marks a session as running until it is dropped.

@@ -1,6 +1,6 @@
 //! Warnings of the memory while a session executes.
 
-use crate::session::lock;
+use crate::mutex::lock;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use wisch::represent::Task;

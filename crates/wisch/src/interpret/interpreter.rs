@@ -405,11 +405,7 @@ impl Interpreter {
             // A force off the plane is a contact with another surface, not the force of a hand.
             events.retain(|event| !event.kind.is_by_hand());
         }
-        if let Some(change) = reading.bias_change.filter(|change| change.persists) {
-            // The changed bias explains these forces.
-            let most = BIAS_FORCE * change.size;
-            events.retain(|event| !event.kind.is_by_hand() || median_force(pieces, event) > most);
-        }
+        leave_out_bias(&mut events, pieces, &reading);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
@@ -675,6 +671,14 @@ pub fn interpret<'a>(
         interpreter.push(sample)?;
     }
     interpreter.conclude(believed, goal)
+}
+
+/// Removes the pushes that a lasting change of the bias explains.
+fn leave_out_bias(events: &mut Vec<Event>, pieces: &[MeasuredPiece], reading: &ForceReading) {
+    if let Some(change) = reading.bias_change.filter(|change| change.persists) {
+        let most = BIAS_FORCE * change.size;
+        events.retain(|event| !event.kind.is_by_hand() || median_force(pieces, event) > most);
+    }
 }
 
 /// Median size of the force during an event [N].
