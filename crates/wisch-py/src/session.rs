@@ -194,7 +194,14 @@ impl PySession {
         let belief = loaded.belief();
         let (executor, notes) = (Arc::default(), Arc::default());
         let warnings = memory.and_then(|memory| {
-            watch_memory(&loaded.task, robot.as_deref()?, &config, memory, &executor, &notes)
+            watch_memory(
+                &loaded.task,
+                robot.as_deref()?,
+                &config,
+                memory,
+                &executor,
+                &notes,
+            )
         });
         let wiping = Wiping::new(robot.clone(), |robot| {
             let session = Session::new(&loaded.task, config).with_belief(belief);
