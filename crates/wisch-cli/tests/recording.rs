@@ -220,7 +220,7 @@ fn a_recording_states_what_did_not_go_as_planned() {
         "--rounds",
         "1",
         "--seed",
-        "1",
+        "0",
         "--no-memory",
     ];
     let (code, _, err) = wisch(folder.path(), &args);

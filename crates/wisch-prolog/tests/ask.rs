@@ -228,6 +228,8 @@ const BY_HAND: &[(&str, &[&str])] = &[
          A is round(100 * _D), B is round(100 * _F), C is round(100 * _L)",
         &["-40 960 800"],
     ),
+    ("warning(E, _, _, _)", &[]),
+    ("drift(R, _, _, _, _)", &[]),
     ("localization_drift(S, _, _, _)", &[]),
     ("localization_change(S, _, _, _)", &[]),
     ("drift_cause(S, _, _)", &["semco:chopping_board"]),

@@ -401,11 +401,7 @@ impl Interpreter {
         } else {
             Vec::new()
         };
-        if doubts.iter().any(Doubt::is_other_surface) {
-            // A force off the plane is a contact with another surface, not the force of a hand.
-            events.retain(|event| !event.kind.is_by_hand());
-        }
-        leave_out_bias(&mut events, pieces, &reading);
+        leave_out_false_pushes(&mut events, &doubts, pieces, &reading);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
             events.retain(|event| event.kind.is_by_hand());
@@ -673,8 +669,17 @@ pub fn interpret<'a>(
     interpreter.conclude(believed, goal)
 }
 
-/// Removes the pushes that a lasting change of the bias explains.
-fn leave_out_bias(events: &mut Vec<Event>, pieces: &[MeasuredPiece], reading: &ForceReading) {
+/// Removes the pushes that another surface or a lasting change of the bias explains.
+fn leave_out_false_pushes(
+    events: &mut Vec<Event>,
+    doubts: &[Doubt],
+    pieces: &[MeasuredPiece],
+    reading: &ForceReading,
+) {
+    if doubts.iter().any(Doubt::is_other_surface) {
+        // A force off the plane is a contact with another surface, not the force of a hand.
+        events.retain(|event| !event.kind.is_by_hand());
+    }
     if let Some(change) = reading.bias_change.filter(|change| change.persists) {
         let most = BIAS_FORCE * change.size;
         events.retain(|event| !event.kind.is_by_hand() || median_force(pieces, event) > most);

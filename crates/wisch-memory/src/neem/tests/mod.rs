@@ -283,7 +283,7 @@ fn poses_are_thinned_frame_by_frame() {
 /// recorded with an earlier BSON writer, except those of the observations and wrenches.
 const RECORDED: [(&str, u32); 6] = [
     ("triples", 977_551_886),
-    ("annotations", 3_374_488_027),
+    ("annotations", 4_132_158_414),
     ("inferred", 0),
     ("tf", 2_541_484_127),
     ("wrench", 3_417_302_854),
