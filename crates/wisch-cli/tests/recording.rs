@@ -245,7 +245,7 @@ fn a_recording_states_what_did_not_go_as_planned() {
     );
     let evidence = texts("evidence")[0];
     assert!(
-        evidence.starts_with("At 14.1 s, 24.4 s: ") && evidence.contains(" N at most, tool up to "),
+        evidence.starts_with("At 24.0 s, 38.1 s: ") && evidence.contains(" N at most, tool up to "),
         "{evidence}"
     );
     // The lane of contacts has as many intervals as the summary states.

@@ -116,7 +116,7 @@ fn both_checks_report_odd_and_assumed_values_of_a_robot() {
                 ..ARM
             },
             READY,
-            "collisions of this shape are not checked",
+            "not checked for collisions",
         ),
         (
             Arm { tip: nut, ..ARM },

@@ -117,7 +117,7 @@ fn what_is_tolerated_has_one_reading() {
     let (body, found) = (robot(&two), found(&two));
     let shapes: usize = body.links().iter().map(|l| l.collision.len()).sum();
     assert_eq!(shapes, 1);
-    let advice = "until it is corrected, collisions of this shape are not checked";
+    let advice = "until it is corrected, this shape is not checked for collisions";
     assert!(found[0].advice.ends_with(advice), "{}", found[0]);
 }
 

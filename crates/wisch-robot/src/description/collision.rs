@@ -159,7 +159,7 @@ pub(crate) fn load_shapes(
             .collect();
         let added = report.diagnostics[known..].iter_mut();
         for unread in added.filter(|found| found.kind == DiagnosticKind::Mesh) {
-            unread.advice += "; until it is corrected, collisions of this shape are not checked";
+            unread.advice += "; until it is corrected, this shape is not checked for collisions";
         }
         all.push(with_capsules(shapes));
     }
