@@ -1,5 +1,6 @@
 //! A surface that the arm reaches, but not in the branch of the inverse kinematics of its ready posture.
 
+use std::f64::consts::FRAC_PI_2;
 use wisch::follow::{FollowConfig, Workcell, WorkcellConfig, follow};
 use wisch::geometry::Pose;
 use wisch::represent::Action;
@@ -10,7 +11,7 @@ fn an_upright_surface_is_wiped_whatever_branch_the_ready_posture_lies_in() {
     let [_, arm6, _] = robots();
     let mut task = board(Action::Skim, [0.0, 0.0, 0.0]);
     // A door half a metre before the arm, which it faces.
-    let turned = nalgebra::UnitQuaternion::from_euler_angles(std::f64::consts::FRAC_PI_2, 0.0, 0.0);
+    let turned = nalgebra::UnitQuaternion::from_euler_angles(FRAC_PI_2, 0.0, 0.0);
     let upright = Pose::from_parts([0.0, 0.0, 0.2].into(), turned);
     task.surface.world_from_surface = upright;
     for part in &mut task.scene {
@@ -29,7 +30,7 @@ fn an_upright_surface_is_wiped_whatever_branch_the_ready_posture_lies_in() {
         let config = WorkcellConfig {
             world_from_robot: Some(Pose::new(
                 [0.0, -0.6, 0.12].into(),
-                [0.0, 0.0, 1.5708].into(),
+                [0.0, 0.0, FRAC_PI_2].into(),
             )),
             ..WorkcellConfig::default()
         };
