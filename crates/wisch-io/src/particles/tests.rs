@@ -39,6 +39,8 @@ fn a_list_may_have_a_header_comments_and_spaces() {
         "\u{feff}x,y\n1e-1,-5e-2\n-0.12,0\n",
         "y,x\n-0.05,0.1\n0,-0.12\n",
         "X_mm,Y_mm\n100,-50\n-120,0\n",
+        "x [mm],y [mm]\n100,-50\n-120,0\n",
+        "x [m],y [m]\n0.1,-0.05\n-0.12,0\n",
     ] {
         assert_eq!(listed(text), Ok(expected.clone()), "{text:?}");
     }

@@ -70,6 +70,21 @@ pub(super) fn plain(t: f64, x: f64) -> String {
 }
 
 #[test]
+fn a_table_with_decimal_commas_and_points_is_refused() {
+    // Times with points beside millimetres with separators of thousands.
+    let base = table(NAMES, plain).replace(',', ";");
+    let mixed = base.replacen(";0;0.8;", ";0;1,870;", 1);
+    let (folder, _) = in_folder();
+    let path = folder.path().join("mixed.csv");
+    fs::write(&path, mixed).unwrap();
+    let told = refused(&path, &LogOptions::default());
+    assert!(
+        told.contains("line 2") && told.contains("separators of thousands"),
+        "{told}"
+    );
+}
+
+#[test]
 fn dialects_of_text_are_read() {
     let base = table(NAMES, plain);
     let semicolons = base.replace(',', ";").replace('.', ",");

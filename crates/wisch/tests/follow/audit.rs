@@ -181,8 +181,11 @@ fn a_stroke_that_returns_on_itself_is_no_fault() {
     stroke.poses = [0.02, 0.06, -0.05, 0.05, 0.0].map(at).to_vec();
     stroke.nodes = vec![node; stroke.poses.len()];
     let config = FollowConfig::default();
-    let followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
+    let mut followed = follow(&task, &plan, &cell, None, &config, &mut |_| ()).unwrap();
     assert_eq!(followed.strokes[0].poses.len(), 5);
+    // The tool is nearer to the leg on which it returns than to that on which it goes out.
+    let start = &mut wipe(&mut followed).tool_line[0];
+    start.surface_from_tool.position.x += 0.3 * config.line_tolerance;
     let audit = audit(&followed, &cell, &task, &config).unwrap();
     assert_eq!(audit.faults, []);
 }

@@ -4,8 +4,8 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use wisch::follow::{
-    FollowConfig, FollowError, Followed, MotionFault, MountSource, Phase, Workcell, WorkcellConfig,
-    audit, follow,
+    FollowConfig, FollowError, Followed, MotionFault, MountSource, Phase, PlanningGroup, Workcell,
+    WorkcellConfig, audit, follow,
 };
 use wisch::geometry::Pose;
 use wisch::represent::{Action, Grip, Mount, Task};
@@ -182,6 +182,10 @@ fn a_gripper_on_the_tip_holds_the_tool_at_its_end() {
     let out = |cell: &Workcell| cell.tip_from_tool().translation.z;
     let before = out(&bare) - task.tool.mesh.bounds().1.z;
     assert!((out(&with) - out(&bare) - (0.1 - before)).abs() < 1e-9);
+    // Without a group, the arm wipes and not its gripper.
+    let robot = with.robot();
+    let group = PlanningGroup::choose(robot, None, None).unwrap();
+    assert_eq!(robot.links()[group.tip.index()].name, "tcp");
     // The fingers touch the tool that they hold.
     let ready = with.ready_posture().to_vec();
     let touched = with.collisions().collision(&ready, 1e-3).unwrap();

@@ -2,6 +2,7 @@
 
 use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{events, interpreted, interpreted_with};
+use nalgebra::UnitQuaternion;
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, EventKind, InterpretConfig, Interpretation, TouchSample};
 use wisch::represent::Task;
@@ -105,6 +106,43 @@ fn a_bias_of_any_size_changes_nothing() {
         );
         assert_eq!(found.events.len(), plain.events.len(), "{bias}");
         assert_eq!(found.doubts, [], "{bias}");
+    }
+}
+
+#[test]
+fn a_bias_in_the_axes_of_a_tool_that_turns_in_the_air_changes_nothing() {
+    let task = task(80, STEEP);
+    let surface = task.surface.world_from_surface;
+    // Level in contact, leaning by 0.6 rad at the height of travel.
+    let turned = |bias: Vector3| {
+        let samples = Script::default().samples(&task).into_iter().map(|sample| {
+            let mut world_from_tool = sample.world_from_tool;
+            let height = (surface.inverse() * world_from_tool).translation.z;
+            let lean = 0.6 * ((height - 0.01) / 0.03).clamp(0.0, 1.0);
+            world_from_tool.rotation *= UnitQuaternion::from_euler_angles(lean, 0.0, 0.0);
+            TouchSample {
+                force: sample.force + world_from_tool.rotation * bias,
+                world_from_tool,
+                ..sample
+            }
+        });
+        let samples: Vec<TouchSample> = samples.collect();
+        interpreted_with(&samples, &task, &InterpretConfig::from_task(&task))
+    };
+    let truth = turned(Vector3::zeros()).performance.mean;
+    for bias in [
+        Vector3::new(0.0, 15.0, 0.0),
+        Vector3::new(0.0, -15.0, 0.0),
+        Vector3::new(0.0, 0.0, 5.0),
+        Vector3::new(10.0, 10.0, 30.0),
+    ] {
+        let found = turned(bias);
+        assert_holds(&found, truth, "axes of the tool");
+        // What was subtracted in contact, where the tool is level.
+        let read = found.force_bias.unwrap();
+        assert!((read - bias.z).abs() < 0.2, "{bias}: {read}");
+        let pushes = found.events.iter().filter(|event| event.kind.is_by_hand());
+        assert_eq!(pushes.count(), 0, "{bias}: {:?}", found.events);
     }
 }
 

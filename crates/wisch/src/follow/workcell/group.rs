@@ -94,9 +94,10 @@ impl PlanningGroup {
 
 /// Returns the chain of a robot without groups: its first arm, without a gripper at its end.
 fn assumed_chain(robot: &RobotModel) -> (LinkId, LinkId) {
-    let arms = find_arms(robot, &[]).unwrap_or_default();
-    let group = (arms.first()).and_then(|arm| arm.groups.first());
-    group.map_or_else(
+    // An error says that the robot has no arm.
+    let arms = find_arms(robot, &[]);
+    let first = arms.iter().flatten().flat_map(|arm| &arm.groups).next();
+    first.map_or_else(
         || longest_chain(robot),
         |proposed| (proposed.group.base, proposed.group.tip),
     )
