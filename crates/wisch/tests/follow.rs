@@ -5,6 +5,7 @@
 mod audit_of_motions;
 mod branches;
 mod broom;
+mod corners;
 mod floor;
 mod humanoid;
 mod mount;

@@ -379,6 +379,7 @@ fn line_deviation(
         return Ok(deviation);
     }
     let line = Line::new(task, corners);
+    let mut passed = PassedCorners::new(&line);
     let mut at = 0;
     let mut add = |off: LineDeviation| {
         deviation.position = deviation.position.max(off.position);
@@ -393,22 +394,69 @@ fn line_deviation(
             add(between(&line.poses[0], &line.poses[0], &world_from_tool));
         }
         add(line.deviation(&mut at, &world_from_tool));
+        passed.note(
+            &line,
+            at,
+            [last.as_ref().unwrap_or(&world_from_tool), &world_from_tool],
+        );
         last = Some(world_from_tool);
     }
+    passed.nearest.iter().for_each(|off| add(*off));
     if let (Some(tool), Some(end)) = (last, line.poses.last()) {
         add(between(end, end, &tool));
     }
     Ok(deviation)
 }
 
+/// How near the tool passes each corner of its line. Where an acute corner is rounded, the tool may stay near both sides
+/// and far from the corner.
+struct PassedCorners {
+    nearest: Vec<LineDeviation>,
+}
+
+impl PassedCorners {
+    /// Along the line, the tool is near a corner within this many steps of it.
+    const AROUND: usize = 60;
+
+    fn new(line: &Line) -> Self {
+        let far = LineDeviation {
+            position: f64::INFINITY,
+            rotation: f64::INFINITY,
+        };
+        Self {
+            nearest: vec![far; line.corners.len()],
+        }
+    }
+
+    /// Notes that the tool has moved straight between two poses, the later of which is at index `at` of the line.
+    fn note(&mut self, line: &Line, at: usize, [before, tool]: [&Pose; 2]) {
+        for (&corner, nearest) in line.corners.iter().zip(&mut self.nearest) {
+            if corner.abs_diff(at) <= Self::AROUND {
+                let off = between(before, tool, &line.poses[corner]);
+                if cost(&off) < cost(nearest) {
+                    *nearest = off;
+                }
+            }
+        }
+    }
+}
+
+/// Returns a deviation as a length [m].
+fn cost(off: &LineDeviation) -> f64 {
+    off.position + 0.1 * off.rotation
+}
+
 /// The line of the tool, finely subdivided.
 struct Line {
     poses: Vec<Pose>,
+    /// Indices of the corners between the ends.
+    corners: Vec<usize>,
 }
 
 impl Line {
     fn new(task: &Task, corners: &[ToolPose]) -> Self {
         let mut poses = vec![Workcell::world_from_tool(task, &corners[0])];
+        let mut between = Vec::new();
         for pair in corners.windows(2) {
             let turn = (pair[1].surface_from_tool.heading - pair[0].surface_from_tool.heading)
                 .abs()
@@ -423,8 +471,13 @@ impl Line {
                     &pair[0].interpolate(&pair[1], i as f64 / count as f64),
                 )
             }));
+            between.push(poses.len() - 1);
         }
-        Self { poses }
+        between.pop();
+        Self {
+            poses,
+            corners: between,
+        }
     }
 
     /// Returns the deviation of a pose from the line; searches from index `at` on, which advances.
