@@ -1,13 +1,16 @@
 ; What a wiping robot can bring about. Which tool can move which medium on which surface is not
 ; said here: the (can-...) facts come from the knowledge base.
 (define (domain wiping)
-  (:requirements :strips :typing)
+  (:requirements :strips :typing :negative-preconditions :universal-preconditions :conditional-effects)
   (:types tool medium surface)
 
   (:predicates
     (hand-empty)
     (holding ?t - tool)
+    (loaded ?t - tool)
     (on ?m - medium ?s - surface)
+    (wet ?s - surface)
+    (in-way ?d - medium ?m - medium ?s - surface)
     (can-absorb ?t - tool ?m - medium ?s - surface)
     (can-collect ?t - tool ?m - medium ?s - surface)
     (can-skim ?t - tool ?m - medium ?s - surface)
@@ -29,29 +32,43 @@
     :precondition (holding ?t)
     :effect (and (hand-empty) (not (holding ?t))))
 
+  ; A tool that has absorbed something is wrung out or emptied before it is used again.
+  (:action empty
+    :parameters (?t - tool)
+    :precondition (and (holding ?t) (loaded ?t))
+    :effect (not (loaded ?t)))
+
+  ; Loose dirt goes before a liquid on the same surface, and both go before a treatment: (in-way ...) says so.
   (:action absorb
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (on ?m ?s) (can-absorb ?t ?m ?s))
-    :effect (and (absorbed ?m ?s) (not (on ?m ?s))))
+    :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-absorb ?t ?m ?s)
+      (forall (?d - medium) (not (in-way ?d ?m ?s))))
+    :effect (and (absorbed ?m ?s) (loaded ?t) (not (on ?m ?s)) (not (wet ?s))
+      (forall (?o - medium) (not (in-way ?m ?o ?s)))))
 
   ; What is collected still lies on the surface, but in one place.
   (:action collect
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (on ?m ?s) (can-collect ?t ?m ?s))
-    :effect (collected ?m ?s))
+    :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-collect ?t ?m ?s)
+      (forall (?d - medium) (not (in-way ?d ?m ?s))))
+    :effect (and (collected ?m ?s) (forall (?o - medium) (not (in-way ?m ?o ?s)))))
 
   (:action skim
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (on ?m ?s) (can-skim ?t ?m ?s))
-    :effect (and (skimmed ?m ?s) (not (on ?m ?s))))
+    :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-skim ?t ?m ?s)
+      (forall (?d - medium) (not (in-way ?d ?m ?s))))
+    :effect (and (skimmed ?m ?s) (not (on ?m ?s)) (not (wet ?s))
+      (forall (?o - medium) (not (in-way ?m ?o ?s)))))
 
   ; What treats a surface brings its medium along.
   (:action polish
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (can-polish ?t ?m ?s))
+    :precondition (and (holding ?t) (not (loaded ?t)) (can-polish ?t ?m ?s)
+      (forall (?d - medium) (not (in-way ?d ?m ?s))))
     :effect (polished ?m ?s))
 
   (:action dispense
     :parameters (?t - tool ?m - medium ?s - surface)
-    :precondition (and (holding ?t) (can-dispense ?t ?m ?s))
+    :precondition (and (holding ?t) (not (loaded ?t)) (can-dispense ?t ?m ?s)
+      (forall (?d - medium) (not (in-way ?d ?m ?s))))
     :effect (dispensed ?m ?s)))

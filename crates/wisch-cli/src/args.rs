@@ -523,7 +523,7 @@ pub struct ReportArgs {
 }
 
 /// The robot and its files.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Robot")]
 pub struct RobotArgs {
     /// Robot: a shipped robot (humanoid, arm7, arm6), a URDF file, or "none" [default: the task's]
@@ -593,6 +593,9 @@ pub struct NewArgs {
     /// File to write [default: standard output]
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: Option<PathBuf>,
+    /// Write a task with a goal of several parts: several surfaces and media, and tools in a rack
+    #[arg(long)]
+    pub goal: bool,
     /// Overwrite an existing file
     #[arg(long, requires = "file")]
     pub force: bool,
@@ -639,7 +642,7 @@ pub struct ManArgs {
 }
 
 /// Arguments of `check`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct CheckArgs {
     /// The task.
     #[command(flatten)]

@@ -12,6 +12,7 @@ mod film;
 #[cfg(unix)]
 mod fleet;
 mod follow;
+mod goals;
 mod interpret;
 #[cfg(unix)]
 mod interrupted;

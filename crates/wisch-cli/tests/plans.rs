@@ -9,6 +9,8 @@ fn scenarios() -> Vec<PathBuf> {
         .unwrap()
         .map(|entry| entry.unwrap().path())
         .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        // Each step of a goal of several parts has a plan of its own.
+        .filter(|path| !fs::read_to_string(path).unwrap().contains("(and "))
         .collect();
     found.sort();
     assert!(found.len() >= 10, "{found:?}");

@@ -7,6 +7,7 @@
 mod assets;
 mod digest;
 mod error;
+mod goal_file;
 mod gravity;
 mod kept_files;
 mod knowledge;
@@ -25,6 +26,7 @@ pub use assets::{
 };
 pub use digest::{FileDigest, InputDigest};
 pub use error::Error;
+pub use goal_file::GoalFile;
 pub use kept_files::{ChangedFile, KeptFiles};
 pub use knowledge::{InteractionRevision, KnowledgeFileError, RevisedFile, parse_knowledge};
 pub use load::{
@@ -61,7 +63,7 @@ pub use records::{
 pub use robots::{MAP_EXTENSION, Robot, RobotFiles, robot_meshes, robot_warnings, shipped_robots};
 pub use shell::shell_word;
 pub use task_file::{
-    Intent, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile, check_tool_extent,
-    find_underside_offset,
+    Intent, RackTool, ReadFile, RobotDescription, RobotRecord, TaskError, TaskFile,
+    check_tool_extent, find_underside_offset,
 };
 pub use up_axis::up_axis_remark;

@@ -13,6 +13,7 @@
 //! | an unrolled surface | [`SheetInput`] | [`sheet_drawing`] |
 //! | a surface in patches | [`PatchesInput`] | [`patches_drawing`] |
 //! | a command over all patches | [`PatchesPageInput`] | [`patches_page`] |
+//! | the steps of a goal of several parts | [`StepRow`] | [`steps_page`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
 //! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
@@ -68,7 +69,8 @@ pub use motion::{
     placements_plan,
 };
 pub use patches::{
-    PatchFound, PatchRow, PatchesInput, PatchesPageInput, patches_drawing, patches_page,
+    PatchFound, PatchRow, PatchesInput, PatchesPageInput, StepRow, patches_drawing, patches_page,
+    steps_page,
 };
 pub use pictures::pictures;
 pub use prediction::frames::{EffectFrames, Frame};

@@ -55,7 +55,9 @@ pub fn patches_drawing(input: &PatchesInput) -> String {
 
 const STYLE: &str = "table.facts th { padding-right: 1.5em; white-space: nowrap; } table.facts td { text-align: left; } \
                      table.patches { max-width: none; } table.patches th, table.patches td { padding-right: 1.5em; } \
-                     table.patches td.words { text-align: left; } table.patches th.number { text-align: right; } figure svg { max-width: 100%; height: auto; }";
+                     table.patches td.words { text-align: left; } table.patches th.number { text-align: right; } figure svg { max-width: 100%; height: auto; } rect.bar { fill: currentColor; } \
+                     table.steps td, table.steps th { white-space: nowrap; overflow-wrap: normal; } \
+                     table.steps td.words { white-space: normal; min-width: 13em; } table.steps svg { width: 160px; min-width: 0; height: 14px; display: block; margin-top: 0.4em; }";
 
 /// Input of the page of a command over all patches.
 pub struct PatchesPageInput<'a> {
@@ -136,6 +138,73 @@ pub fn patches_page(input: &PatchesPageInput) -> String {
         }
     };
     document(input.title, STYLE, &main)
+}
+
+/// A step on the page of a goal of several parts.
+pub struct StepRow {
+    /// What it does, in words.
+    pub words: String,
+    /// Time since the first step at which it began \[s\].
+    pub began: f64,
+    /// Its time \[s\].
+    pub took: f64,
+    /// Its expected time \[s\].
+    pub expected: f64,
+    /// Its outcome, in words; empty for a step that wipes nothing.
+    pub result: String,
+    /// Address of its own page, relative to this one; none if it has none.
+    pub report: Option<String>,
+}
+
+/// Returns one self-contained HTML file over the steps of a goal, which loads nothing from the network.
+///
+/// `facts`: the parts of the goal and what else was found, name and value.
+pub fn steps_page(title: &str, facts: &[(String, String)], steps: &[StepRow]) -> String {
+    let end = steps
+        .last()
+        .map_or(1.0, |step| step.began + step.took)
+        .max(1e-9);
+    let main = html! {
+        h1 { (title) }
+        table class="facts" {
+            @for (name, value) in facts {
+                tr { th scope="row" { (name) } td { (value) } }
+            }
+        }
+        div class="scroll" {
+            table class="patches steps" {
+                thead { tr {
+                    th scope="col" { "step" } th scope="col" { "action" } th scope="col" { "result" }
+                    th scope="col" { "course" }
+                    th scope="col" class="number" { "began [s]" } th scope="col" class="number" { "took [s]" }
+                    th scope="col" class="number" { "expected [s]" }
+                } }
+                tbody {
+                    @for (step, number) in steps.iter().zip(1..) {
+                        tr {
+                            th scope="row" { (number) }
+                            td class="words" {
+                                @match &step.report {
+                                    Some(report) => a href=(report) { (step.words) },
+                                    None => (step.words),
+                                }
+                            }
+                            td class="words" { (step.result) }
+                            td {
+                                svg width="160" height="14" role="img" aria-label="when the step took place" {
+                                    rect class="bar" x=(px(160.0 * step.began / end)) y="3" height="8"
+                                        width=(px((160.0 * step.took / end).max(1.0))) {}
+                                }
+                            }
+                            td { (format!("{:.1}", step.began)) } td { (format!("{:.1}", step.took)) }
+                            td { (format!("{:.1}", step.expected)) }
+                        }
+                    }
+                }
+            }
+        }
+    };
+    document(title, STYLE, &main)
 }
 
 /// Number of places along each side of a patch at which a number may stand.

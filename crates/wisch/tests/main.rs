@@ -15,6 +15,7 @@ mod limits;
 mod plan;
 mod preparation;
 mod scenarios;
+mod sequence;
 mod session;
 mod swept_mesh;
 mod tour;

@@ -3,6 +3,7 @@
 use super::budget::in_evaluations;
 use super::follow::{Chosen, describe_stand, follow_plan, workcell};
 use super::prepare::{self, stage_failure};
+use super::steps::read_goal;
 use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
@@ -12,10 +13,11 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
+use wisch::goal::GoalLiteral;
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, describe_weak_reaction};
 use wisch::run::{NoExecutor, Stage, check_score, ignore_events};
-use wisch_io::{KeptFiles, LoadedTask, ShapeRecord};
+use wisch_io::{GoalFile, KeptFiles, LoadedTask, ShapeRecord};
 
 /// Number of sample points for free space along the longer side of the surface.
 const RASTER: usize = 120;
@@ -26,6 +28,48 @@ const LISTED: usize = 8;
 
 /// Reads the task, plans it, checks the robot's start, predicts the effect and prints a summary.
 pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    match read_goal(&args.task)? {
+        Some(file) => check_parts(args, &file, global),
+        None => check_task(args, global),
+    }
+}
+
+/// Checks the task of each part of a goal. Parts that no tool and medium can bring about are the effect of others.
+fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let is_wiped = |fact: &GoalLiteral| {
+        let names = fact.arguments();
+        (file.media.iter()).any(|on| names == [on.medium.clone(), on.surface.clone()])
+    };
+    let parts: Vec<String> = (file.goal.parts())
+        .filter(|(holds, fact)| *holds && is_wiped(fact))
+        .map(|(_, fact)| fact.to_string())
+        .collect();
+    if args.json {
+        let problem = format!(
+            "--json checks one part of the goal, but the goal has {}",
+            parts.len()
+        );
+        let failure = stage_failure(&args.task, problem);
+        return Err(match parts.first() {
+            Some(part) => failure.with_help(format!("choose the part: --set goal='{part}'")),
+            None => failure,
+        });
+    }
+    let mut outcome = Outcome::Done;
+    for part in parts {
+        if !global.quiet {
+            print(&format!("{part}: "))?;
+        }
+        let mut args = args.clone();
+        args.task.settings.push(("goal".to_owned(), part));
+        if !matches!(check_task(&args, global)?, Outcome::Done) {
+            outcome = Outcome::GoalNotMet;
+        }
+    }
+    Ok(outcome)
+}
+
+fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task, &KeptFiles::default())?;

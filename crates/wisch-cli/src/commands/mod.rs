@@ -37,6 +37,7 @@ mod run;
 mod scenarios;
 mod setup;
 mod shell;
+mod steps;
 mod studio;
 mod summary;
 mod surface;

@@ -4,8 +4,10 @@ use super::words::internal;
 use crate::args::{GlobalArgs, NewArgs, SchemaArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, print_json};
-use wisch_io::{OutputFile, TaskFile, shell_word};
+use wisch_io::{OutputFile, TaskFile, shell_word, shipped_scenarios};
 
+/// The shipped scenario whose goal has several parts.
+const WITH_SEVERAL_PARTS: &str = "kitchen";
 /// The schema's file name, which the template's first line points editors to.
 const SCHEMA_FILE: &str = "wisch-task.schema.json";
 
@@ -20,13 +22,24 @@ pub fn schema(args: &SchemaArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
+/// Returns the text to start from.
+fn template(args: &NewArgs) -> Result<&'static str, Failure> {
+    if !args.goal {
+        return Ok(TaskFile::TEMPLATE);
+    }
+    let shipped = shipped_scenarios().find(|(name, _)| *name == WITH_SEVERAL_PARTS);
+    let (_, text) = shipped.ok_or_else(|| internal("the scenario is not shipped"))?;
+    Ok(text)
+}
+
 /// Writes the template, and the schema beside it.
 pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let template = template(args)?;
     let Some(path) = &args.file else {
         if args.json {
-            print_json(&serde_json::json!({ "task_file": TaskFile::TEMPLATE }))?;
+            print_json(&serde_json::json!({ "task_file": template }))?;
         } else {
-            print(TaskFile::TEMPLATE)?;
+            print(template)?;
         }
         return Ok(Outcome::Done);
     };
@@ -41,12 +54,11 @@ pub fn new(args: &NewArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let [file, of_schema] = [path, &schema].map(|path| OutputFile::begin(path));
     let (file, of_schema) = (file?, of_schema?);
     of_schema.finish(TaskFile::json_schema().as_bytes())?;
-    let template = TaskFile::TEMPLATE.as_bytes();
     if args.force {
-        file.finish(template)?;
+        file.finish(template.as_bytes())?;
     } else {
         // Another program may have made the file meanwhile.
-        file.finish_new(template)?;
+        file.finish_new(template.as_bytes())?;
     }
     if args.json {
         let written = [path, &schema].map(|path| path.display().to_string());

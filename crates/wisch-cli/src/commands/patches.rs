@@ -290,8 +290,8 @@ pub(super) fn remark_earlier_patches(out: &Path, wiped: usize) {
     }
 }
 
-/// The performance on a patch, in words.
-fn performance_of(patch: &Summary) -> String {
+/// The performance that a command found, in words.
+pub(super) fn performance_of(patch: &Summary) -> String {
     let last = (patch.execution.as_ref()).and_then(|execution| {
         let round = execution.rounds.last()?;
         let [estimated, low, high] =

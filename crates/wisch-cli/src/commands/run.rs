@@ -10,6 +10,7 @@ use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
+use super::steps::{Course, GoalTask, WipedStep, read_goal};
 use super::summary::{in_words, summary};
 use super::watch::show;
 use super::words::{counted, internal};
@@ -26,7 +27,7 @@ use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
 use wisch::run::{AfterStop, Ending, NoExecutor, OnWarning, RunConfig, RunEvent, Stage};
-use wisch_io::{KeptFiles, KilledRuns, Leftover, Replaceable};
+use wisch_io::{GoalFile, KeptFiles, KilledRuns, Leftover, Replaceable};
 use wisch_io::{LoadedTask, OutputFile, OutputFolder};
 use wisch_io::{PLAN_FILE, PlanRecord, REPORT_FILE, Summary, read_text, wipes_all_patches};
 use wisch_record::{
@@ -36,6 +37,9 @@ use wisch_report::EffectFrames;
 
 /// Maximum number of particles of a run: with this number, the smallest belief takes 2 GiB.
 const MOST_IN_A_RUN: usize = 1_000_000;
+
+/// The file of the steps of a goal, in the folder of results.
+const STEPS_FILE: &str = "steps.json";
 
 /// The note after a stop that the operator has to clear.
 const WAITS: &str = "the robot was stopped and waits for its operator";
@@ -164,7 +168,9 @@ fn work(
         let failure = Failure::new("--json and --events - both write to standard output");
         return Err(failure.with_help("write the events to a file: --events FILE"));
     }
-    let is_met = if wipes_all_patches(&task_args.task, &task_args.settings)? {
+    let is_met = if let Some(file) = read_goal(task_args)? {
+        work_on_goal((task_args, &file), results, plan_file, extent, global)?
+    } else if wipes_all_patches(&task_args.task, &task_args.settings)? {
         work_on_patches(task_args, results, plan_file, extent, global)?
     } else {
         let summarised = |summary: &Summary| match results.json {
@@ -178,6 +184,86 @@ fn work(
     } else {
         Outcome::GoalNotMet
     })
+}
+
+/// Works on a goal of several parts, one step after another; returns whether every part of the goal holds.
+fn work_on_goal(
+    (task_args, file): (&TaskArgs, &GoalFile),
+    results: &ResultArgs,
+    plan_file: Option<&Path>,
+    extent: Extent<'_>,
+    global: &GlobalArgs,
+) -> Result<bool, Failure> {
+    let rounds = extent.rounds();
+    for (option, is_given) in [
+        ("--plan", plan_file.is_some()),
+        ("--resume", rounds.is_some_and(|rounds| rounds.resume)),
+        (
+            "--events",
+            rounds.is_some_and(|rounds| rounds.events.is_some()),
+        ),
+        // Nothing but the simulated world changes tools.
+        (
+            "--executor or --on",
+            rounds.is_some_and(LoopArgs::has_executor),
+        ),
+    ] {
+        if is_given {
+            let problem = format!("{option} is for one part of the goal, but the goal has several");
+            let part = file.goal.parts().find(|(holds, _)| *holds);
+            let part = part.map_or_else(String::new, |(_, fact)| fact.to_string());
+            return Err(stage_failure(task_args, problem)
+                .with_help(format!("choose the part: --set goal='{part}'")));
+        }
+    }
+    let task_args = &extent.restrict_senses(task_args);
+    let any_robot = RobotArgs::default();
+    let robot = match extent {
+        Extent::Run(args, _) | Extent::Follow(args) => Some(args),
+        Extent::Plan { .. } | Extent::Predict => Some(&any_robot),
+    };
+    let progress = Progress::start(global);
+    let task = GoalTask::evaluate(task_args, file, robot, &progress)?;
+    drop(progress);
+    let out = out_folder(
+        results,
+        &file.name,
+        extent.suffix(extent.is_run() && task.has_robot()),
+    );
+    let is_foreign = [PLAN_FILE, REPORT_FILE]
+        .iter()
+        .any(|name| out.join(name).exists())
+        && !out.join(STEPS_FILE).exists();
+    if is_foreign && !results.force {
+        let problem = "the folder holds results that are not of the steps of a goal";
+        return Err(Failure::new(problem)
+            .within(&out)
+            .with_help("choose another folder with --out, or replace files with --force"));
+    }
+    let is_executed = extent.is_run() && task.has_robot();
+    let course = Course::begin(&task, is_executed, out.clone())?;
+    let (summary, broken) = course.run(&mut |args, folder| {
+        let of_step = ResultArgs {
+            out: Some(folder.to_owned()),
+            force: results.force,
+            json: results.json,
+        };
+        let done = work_on_surface(args, &of_step, None, extent, global, &|_| Ok(()))?;
+        Ok(WipedStep {
+            is_met: done.is_met,
+            is_stopped: done.is_stopped || is_stop_requested(),
+            summary: done.summary,
+        })
+    })?;
+    let json = serde_json::to_vec_pretty(&summary).map_err(internal)?;
+    OutputFile::begin(&out.join(STEPS_FILE))?.finish(&json)?;
+    OutputFile::begin(&out.join(REPORT_FILE))?.finish(summary.page().as_bytes())?;
+    if results.json {
+        print_json(&summary)?;
+    } else if !global.quiet {
+        print(&summary.in_words())?;
+    }
+    broken.map_or(Ok(summary.is_met()), Err)
 }
 
 /// Works on all patches of a divided mesh, one after another; returns whether the goal is met on all.

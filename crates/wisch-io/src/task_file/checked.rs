@@ -12,7 +12,7 @@ use super::tree::{Source, description, integer};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
 use super::{
     Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceMesh,
-    SurfacePatch, SurfaceRecord, TaskError, TaskFile,
+    SurfacePatch, SurfaceRecord, TaskError, TaskFile, parts,
 };
 use crate::particles::ParticleSource;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
@@ -29,7 +29,7 @@ use wisch::source_location::{Place, UnknownName};
 const QUATERNION_NORM_TOLERANCE: f64 = 1e-3;
 
 pub(super) fn read(source: &Source<'_>) -> Result<TaskFile, TaskError> {
-    let tree = source.tree()?;
+    let tree = parts::tree(source)?;
     // Another schema may have other keys, so the schema is checked first.
     schema(&tree, source)?;
     let file: At<TaskTable> = record(source, &tree)?;

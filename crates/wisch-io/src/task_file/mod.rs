@@ -12,6 +12,7 @@ mod extent;
 mod mobility;
 mod mount;
 mod outline;
+mod parts;
 mod remarks;
 mod resolve;
 mod tables;
@@ -22,6 +23,8 @@ mod values;
 
 pub use error::TaskError;
 pub use extent::check_tool_extent;
+pub(crate) use parts::Parts;
+pub use parts::RackTool;
 pub use remarks::find_underside_offset;
 pub(crate) use remarks::task_remarks;
 pub use resolve::ReadFile;
@@ -247,6 +250,15 @@ impl TaskFile {
     /// ```
     pub fn parse(name: &str, text: &str, settings: &[(String, String)]) -> Result<Self, TaskError> {
         checked::read(&tree::Source::new(name, text, settings))
+    }
+
+    /// Reads what a file states beside the tables of the parts of its goal; `None` if the goal has a single part.
+    pub(crate) fn parse_parts(
+        name: &str,
+        text: &str,
+        settings: &[(String, String)],
+    ) -> Result<Option<Parts>, TaskError> {
+        parts::read(&tree::Source::new(name, text, settings))
     }
 
     /// Returns the JSON Schema of task files: every key with its meaning, limits and default. Editors use it to complete and

@@ -54,21 +54,31 @@ impl<'a> Source<'a> {
         Place::from_offset(self.name, self.text, self.text.len())
     }
 
-    /// Parses the text and applies the settings.
-    pub(super) fn tree(&self) -> Result<Spanned<DeValue<'a>>, TaskError> {
+    /// Parses the text, without the settings.
+    pub(super) fn parse(&self) -> Result<Spanned<DeValue<'a>>, TaskError> {
         let table = DeTable::parse(self.text).map_err(|error| TaskError::Syntax {
             at: self.place(error.span().map_or(0, |span| span.start)),
             message: error.message().to_owned(),
         })?;
-        let mut root = Spanned::new(0..0, DeValue::Table(table.into_inner()));
+        Ok(Spanned::new(0..0, DeValue::Table(table.into_inner())))
+    }
+
+    /// Applies the settings whose keys are chosen.
+    pub(super) fn apply(
+        &self,
+        root: &mut Spanned<DeValue<'a>>,
+        is_chosen: impl Fn(&str) -> bool,
+    ) -> Result<(), TaskError> {
         let mut start = self.text.len() + 1;
         for (key, text) in self.settings {
-            let value = DeValue::parse(text)
-                .unwrap_or_else(|_| Spanned::new(0..0, DeValue::String(text.into())));
-            set(&mut root, key, start, shifted(value, start))?;
+            if is_chosen(key) {
+                let value = DeValue::parse(text)
+                    .unwrap_or_else(|_| Spanned::new(0..0, DeValue::String(text.into())));
+                set(root, key, start, shifted(value, start))?;
+            }
             start += text.len() + 1;
         }
-        Ok(root)
+        Ok(())
     }
 }
 

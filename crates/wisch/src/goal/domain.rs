@@ -4,12 +4,14 @@ use std::collections::HashMap;
 
 use super::GoalError;
 use super::form::{Form, Source, read};
-use super::syntax::{Atom, Listed, OBJECT, Typed, atoms, literals, predicate, typed_list};
+use super::syntax::{Listed, Literal, OBJECT, Typed, literals, predicate, typed_list};
 
 /// Largest number of types, constants, predicates or actions, because they are searched linearly.
 const MAX_NAMES: usize = 1000;
 /// Largest number of parameters of an action; each multiplies the number of groundings.
 const MAX_PARAMETERS: usize = 12;
+/// Largest number of variables of `forall`; each multiplies the number of atoms.
+const MAX_VARIABLES: usize = 3;
 
 const SECTIONS: [&str; 5] = [
     ":requirements",
@@ -28,7 +30,7 @@ const UNSUPPORTED_SECTIONS: [&str; 6] = [
     ":event",
 ];
 
-/// A planning domain in typed STRIPS: types, constants, predicates and actions.
+/// A planning domain in typed STRIPS with negation: types, constants, predicates and actions.
 #[derive(Debug, Clone)]
 pub struct Domain {
     /// Each type but [`OBJECT`] with its parent.
@@ -49,16 +51,23 @@ pub(super) struct Predicate {
 pub(super) struct Schema {
     pub(super) name: String,
     pub(super) parameters: Vec<Typed>,
-    pub(super) preconditions: Vec<Atom>,
-    pub(super) add: Vec<Atom>,
-    pub(super) delete: Vec<Atom>,
+    pub(super) preconditions: Vec<Literal>,
+    pub(super) effects: Vec<Literal>,
+}
+
+impl Schema {
+    /// Returns the atoms that the action makes true.
+    pub(super) fn added(&self) -> impl Iterator<Item = &Literal> {
+        self.effects.iter().filter(|effect| effect.holds)
+    }
 }
 
 impl Domain {
     /// Reads a PDDL domain; `name` identifies the text in errors.
     ///
-    /// The language is typed STRIPS: `:types`, `:constants`, `:predicates`, and `:action`s with positive preconditions
-    /// and effects that add or (`not`) delete atoms. PDDL ignores case, so all names are converted to lower case.
+    /// The language is typed STRIPS with negation: `:types`, `:constants`, `:predicates`, and `:action`s. Preconditions
+    /// are atoms that hold or do `not` hold, effects are atoms that are added or (`not`) deleted, and both may stand in
+    /// `forall`. PDDL ignores case, so all names are converted to lower case.
     ///
     /// # Errors
     ///
@@ -179,27 +188,44 @@ impl Domain {
         source.check_size("parameters of an action", parameters.len(), MAX_PARAMETERS)?;
         let preconditions = match parts.get(":precondition") {
             None => Vec::new(),
-            Some(form) => atoms(source, form, "a precondition")?,
+            Some(form) => literals(source, form)?,
         };
         let Some(effect) = parts.get(":effect") else {
             return Err(source.expected_at(form.at, "`:effect` in the action", "none"));
         };
         let effects = literals(source, effect)?;
-        let known = || (parameters.iter().chain(&self.constants)).map(Typed::as_pair);
-        for atom in preconditions
-            .iter()
-            .chain(effects.iter().map(|(_, atom)| atom))
-        {
+        for literal in preconditions.iter().chain(&effects) {
+            self.check_variables(source, &parameters, literal)?;
+            let known = || {
+                let own = literal.variables.iter().chain(&parameters);
+                own.chain(&self.constants).map(Typed::as_pair)
+            };
+            let atom = &literal.atom;
             self.check(source, atom.at, &atom.fact(), "constant", known)?;
         }
-        let (add, delete): (Vec<_>, Vec<_>) = effects.into_iter().partition(|(holds, _)| *holds);
         Ok(Schema {
             name: name.to_owned(),
             parameters,
             preconditions,
-            add: add.into_iter().map(|(_, atom)| atom).collect(),
-            delete: delete.into_iter().map(|(_, atom)| atom).collect(),
+            effects,
         })
+    }
+
+    /// Rejects variables of `forall` that are too many, of an unknown type, or named like a parameter.
+    fn check_variables(
+        &self,
+        source: Source<'_>,
+        parameters: &[Typed],
+        literal: &Literal,
+    ) -> Result<(), GoalError> {
+        let variables = &literal.variables;
+        source.check_size("variables of `forall`", variables.len(), MAX_VARIABLES)?;
+        define_once(
+            source,
+            "variable",
+            names(parameters).chain(names(variables)),
+        )?;
+        self.check_types(source, variables)
     }
 
     /// Rejects an atom whose predicate is not declared or does not take its arguments.
@@ -355,7 +381,13 @@ fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, G
 fn requirements(source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
     for form in forms {
         match form.word() {
-            Some(":strips" | ":typing") => {}
+            Some(
+                ":strips"
+                | ":typing"
+                | ":negative-preconditions"
+                | ":universal-preconditions"
+                | ":conditional-effects",
+            ) => {}
             Some(other) if other.starts_with(':') => {
                 return Err(source.not_supported(form.at, &format!("`{other}`")));
             }

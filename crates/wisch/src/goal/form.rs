@@ -31,7 +31,7 @@ impl Source<'_> {
     }
 
     pub(super) fn not_supported(self, at: usize, construct: &str) -> GoalError {
-        let what = "is not supported; expected typed STRIPS with positive preconditions";
+        let what = "is not supported; expected typed STRIPS with negation";
         self.fault(at, format!("{construct} {what}"))
     }
 

@@ -10,6 +10,7 @@ mod form;
 #[cfg(test)]
 mod planning_tests;
 mod search;
+mod sequence;
 mod syntax;
 
 use std::collections::HashSet;
@@ -17,6 +18,9 @@ use std::fmt;
 
 pub use domain::Domain;
 pub use error::GoalError;
+pub use sequence::{
+    CompoundGoal, MediumOnSurface, Sequence, Situation, Step, StepPlace, StepTimes, Wiping,
+};
 
 use crate::represent::{Action, KnowledgeBase, RankedTool};
 use form::Source;
@@ -230,11 +234,11 @@ impl<'a> Target<'a> {
                 known_as.push(argument);
             }
         }
-        let reaches = |effect: &syntax::Atom| effect.words[0] == words[0];
+        let reaches = |effect: &syntax::Literal| effect.atom.words[0] == words[0];
         let schemas = domain
             .schemas
             .iter()
-            .filter(|schema| schema.add.iter().any(reaches));
+            .filter(|schema| schema.added().any(reaches));
         target.actions = schemas
             .filter_map(|schema| schema.name.parse().ok())
             .collect();
@@ -336,7 +340,7 @@ impl<'a> Target<'a> {
             domain: self.domain,
             objects,
             init: declared.collect(),
-            goal: vec![literal.words.iter().map(String::as_str).collect()],
+            goal: vec![(true, literal.words.iter().map(String::as_str).collect())],
         };
         problem.check()?;
         Ok(problem)
@@ -361,12 +365,17 @@ fn known_actions(
     Ok(known)
 }
 
-/// Returns the predicates that the domain's wiping actions bring about.
+/// Returns the predicates of surfaces that the domain's wiping actions bring about.
 fn wiping_goals(domain: &Domain) -> Vec<String> {
+    let is_of_surface = |predicate: &str| {
+        let declared = domain.predicates.iter().find(|p| p.name == predicate);
+        declared.is_some_and(|p| p.parameters.iter().any(|p| p.type_name == "surface"))
+    };
     let mut goals: Vec<String> = (domain.schemas.iter())
         .filter(|schema| schema.name.parse::<Action>().is_ok())
-        .flat_map(|schema| &schema.add)
-        .map(|add| add.words[0].clone())
+        .flat_map(|schema| schema.added())
+        .filter(|add| is_of_surface(&add.atom.words[0]))
+        .map(|add| add.atom.words[0].clone())
         .collect();
     goals.sort();
     goals.dedup();

@@ -1,18 +1,20 @@
-//! Breadth-first forward search.
+//! Search for a plan of least cost, on grounded actions.
 
-use std::collections::{BTreeSet, HashSet, VecDeque};
-use std::rc::Rc;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap, HashMap};
 
 use super::GoalError;
 use super::domain::{Domain, Schema};
 use super::form::Source;
-use super::syntax::Atom;
+use super::syntax::{Atom, Literal};
 
 /// Name in errors of the planning problem.
 const DERIVED: &str = "problem derived from the goal";
-/// Largest work of a search: number of objects tried, facts checked and facts copied; about a
-/// second.
+/// Largest work of binding actions, and of a search: number of objects tried, facts checked and actions tried; each takes
+/// about a second.
 const MAX_WORK: usize = 5_000_000;
+/// Largest work of a search on numbered facts with costs, whose steps are cheaper.
+const MAX_COSTED_WORK: usize = 50_000_000;
 
 /// A predicate or an action with its arguments, all of which are objects.
 pub(super) type Fact<'a> = Vec<&'a str>;
@@ -26,19 +28,81 @@ pub(super) fn text(words: &[impl AsRef<str>]) -> String {
     format!("({})", words.join(" "))
 }
 
+/// The costs of steps, which may depend on where the step before it ended.
+pub(super) trait StepCosts {
+    /// Cost of a step that begins at a place, at least that of [`Self::least`], and the place at which it ends.
+    fn cost(&self, step: &[&str], place: usize) -> (f64, usize);
+    /// Least cost of a step at any place; `None` if the step is impossible.
+    fn least(&self, step: &[&str]) -> Option<f64>;
+    /// Whether every step costs the same.
+    fn is_unit(&self) -> bool {
+        false
+    }
+}
+
+/// Every step costs the same, and nothing is estimated in advance: the search is breadth-first.
+struct UnitCosts;
+
+impl StepCosts for UnitCosts {
+    fn cost(&self, _: &[&str], place: usize) -> (f64, usize) {
+        (1.0, place)
+    }
+
+    fn least(&self, _: &[&str]) -> Option<f64> {
+        Some(0.0)
+    }
+
+    fn is_unit(&self) -> bool {
+        true
+    }
+}
+
 /// Objects, initial facts and goal of a planning problem.
 pub(super) struct Problem<'a> {
     pub(super) domain: &'a Domain,
     /// Names with their types, the domain's constants among them.
     pub(super) objects: Vec<(&'a str, &'a str)>,
     pub(super) init: BTreeSet<Fact<'a>>,
-    pub(super) goal: Vec<Fact<'a>>,
+    /// Facts, and whether each is to hold.
+    pub(super) goal: Vec<(bool, Fact<'a>)>,
+}
+
+/// An action without parameters, on numbered facts.
+struct GroundAction<'a> {
+    step: Fact<'a>,
+    needs: Vec<usize>,
+    excludes: Vec<usize>,
+    adds: Vec<usize>,
+    deletes: Vec<usize>,
+    /// Least cost at any place.
+    least: f64,
+}
+
+/// A set of numbered facts.
+type Facts = Box<[u64]>;
+
+/// A reached state.
+struct Node {
+    facts: Facts,
+    place: usize,
+    cost: f64,
+    /// The node before it, and the action between them; `None` at the start.
+    came_by: Option<(usize, usize)>,
+}
+
+/// A problem with numbered facts and actions without parameters.
+struct GroundProblem<'a> {
+    actions: Vec<GroundAction<'a>>,
+    start: Facts,
+    /// Facts of the goal, whether each is to hold, and the least cost of reaching it, which no action reaches twice.
+    goal: Vec<(usize, bool, f64)>,
 }
 
 impl<'a> Problem<'a> {
     /// Rejects facts that do not fit the domain's predicates.
     pub(super) fn check(&self) -> Result<(), GoalError> {
-        for fact in self.init.iter().chain(&self.goal) {
+        let goal = self.goal.iter().map(|(_, fact)| fact);
+        for fact in self.init.iter().chain(goal) {
             let source = Source {
                 name: DERIVED,
                 text: &text(fact),
@@ -52,56 +116,126 @@ impl<'a> Problem<'a> {
     /// Returns the actions of a shortest plan; `None` if there is none. Of several shortest plans,
     /// it is the first in the order of the domain's actions and the problem's objects.
     pub(super) fn shortest_plan(&self) -> Result<Option<Vec<Fact<'a>>>, GoalError> {
-        let mut work = 0;
-        let reached =
-            |state: &BTreeSet<Fact<'a>>| self.goal.iter().all(|fact| state.contains(fact));
-        if !reached(&self.reachable(&mut work)?) {
-            return Ok(None);
-        }
-        let first = Rc::new(self.init.clone());
-        if reached(&first) {
-            return Ok(Some(Vec::new()));
-        }
-        // Each state with its predecessor and the action between them.
-        let mut came_by: Vec<(usize, Fact<'a>)> = vec![(0, Vec::new())];
-        let mut seen = HashSet::from([first.clone()]);
-        let mut queue = VecDeque::from([(0, first)]);
-        while let Some((before, state)) = queue.pop_front() {
-            for (schema, binding) in self.applicable(&state, &mut work)? {
-                spend(&mut work, state.len())?;
-                let mut next = BTreeSet::clone(&state);
-                for delete in &schema.delete {
-                    next.remove(&ground(delete, schema, &binding));
-                }
-                next.extend(schema.add.iter().map(|add| ground(add, schema, &binding)));
-                if seen.contains(&next) {
-                    continue;
-                }
-                let name = schema.name.as_str();
-                came_by.push((before, std::iter::once(name).chain(binding).collect()));
-                let node = came_by.len() - 1;
-                if reached(&next) {
-                    let nodes = std::iter::successors(Some(node), |&node| Some(came_by[node].0));
-                    let back = nodes.take_while(|&node| node != 0);
-                    let mut steps: Vec<_> = back.map(|node| came_by[node].1.clone()).collect();
-                    steps.reverse();
-                    return Ok(Some(steps));
-                }
-                let next = Rc::new(next);
-                seen.insert(next.clone());
-                queue.push_back((node, next));
-            }
-        }
-        Ok(None)
+        self.cheapest_plan(&UnitCosts, 0)
     }
 
-    /// Returns all facts that can become true if no action deletes any (delete relaxation).
-    fn reachable(&self, work: &mut usize) -> Result<BTreeSet<Fact<'a>>, GoalError> {
+    /// Returns the actions of a plan of least cost that begins at `place`; `None` if there is none. Of several, it is the
+    /// first that the search meets, which depends on the order of actions and objects only.
+    pub(super) fn cheapest_plan(
+        &self,
+        costs: &dyn StepCosts,
+        place: usize,
+    ) -> Result<Option<Vec<Fact<'a>>>, GoalError> {
+        let mut work = 0;
+        let reachable = self.reachable(Some(costs), &mut work)?;
+        let is_reachable = |(holds, fact): &(bool, Fact<'a>)| !holds || reachable.contains(fact);
+        if !self.goal.iter().all(is_reachable) {
+            return Ok(None);
+        }
+        let ground = self.ground(&reachable, costs, &mut work)?;
+        let found = ground.search(costs, place)?;
+        Ok(found.map(|steps| {
+            let steps = steps.into_iter();
+            steps
+                .map(|index| ground.actions[index].step.clone())
+                .collect()
+        }))
+    }
+
+    /// Numbers the facts and binds the actions.
+    fn ground(
+        &self,
+        reachable: &BTreeSet<Fact<'a>>,
+        costs: &dyn StepCosts,
+        work: &mut usize,
+    ) -> Result<GroundProblem<'a>, GoalError> {
+        let number: BTreeMap<&Fact<'a>, usize> = reachable.iter().zip(0..).collect();
+        let numbers = |facts: Vec<Fact<'a>>| -> Vec<usize> {
+            facts
+                .iter()
+                .filter_map(|fact| number.get(fact).copied())
+                .collect()
+        };
+        let mut actions = Vec::new();
+        for (schema, binding) in self.applicable(reachable, work)? {
+            let step: Fact<'a> = std::iter::once(schema.name.as_str())
+                .chain(binding.iter().copied())
+                .collect();
+            let Some(least) = costs.least(&step) else {
+                continue;
+            };
+            let of = |literals: &'a [Literal], holds| {
+                let chosen = literals
+                    .iter()
+                    .filter(move |literal| literal.holds == holds);
+                numbers(
+                    chosen
+                        .flat_map(|literal| self.instances(literal, schema, &binding))
+                        .collect(),
+                )
+            };
+            actions.push(GroundAction {
+                needs: of(&schema.preconditions, true),
+                excludes: of(&schema.preconditions, false),
+                adds: of(&schema.effects, true),
+                deletes: of(&schema.effects, false),
+                step,
+                least,
+            });
+        }
+        let mut start = vec![0; reachable.len().div_ceil(64)].into_boxed_slice();
+        numbers(self.init.iter().cloned().collect())
+            .iter()
+            .for_each(|&fact| set(&mut start, fact, true));
+        // A fact that cannot become true does not hold.
+        let goal: Vec<(usize, bool)> = (self.goal.iter())
+            .filter_map(|(holds, fact)| Some((*number.get(fact)?, *holds)))
+            .collect();
+        let brings = |action: &GroundAction<'_>, (fact, holds): (usize, bool)| {
+            let effects = if holds { &action.adds } else { &action.deletes };
+            effects.contains(&fact)
+        };
+        let goal = (goal.iter())
+            .map(|&(fact, holds)| {
+                let ways = actions
+                    .iter()
+                    .filter(|action| brings(action, (fact, holds)));
+                let shares = ways.map(|action| {
+                    let all = goal.iter().filter(|&&other| brings(action, other)).count();
+                    action.least / all as f64
+                });
+                (fact, holds, shares.fold(f64::INFINITY, f64::min))
+            })
+            .collect();
+        Ok(GroundProblem {
+            actions,
+            start,
+            goal,
+        })
+    }
+
+    /// Returns all facts that can become true if no action deletes any and every negative precondition holds (delete
+    /// relaxation). Steps without costs are left out.
+    fn reachable(
+        &self,
+        costs: Option<&dyn StepCosts>,
+        work: &mut usize,
+    ) -> Result<BTreeSet<Fact<'a>>, GoalError> {
         let mut facts = self.init.clone();
         loop {
             let before = facts.len();
             for (schema, binding) in self.applicable(&facts, work)? {
-                facts.extend(schema.add.iter().map(|add| ground(add, schema, &binding)));
+                let step: Fact<'a> = std::iter::once(schema.name.as_str())
+                    .chain(binding.iter().copied())
+                    .collect();
+                if costs.is_some_and(|costs| costs.least(&step).is_none()) {
+                    continue;
+                }
+                facts.extend(
+                    schema
+                        .added()
+                        .flat_map(|add| self.instances(add, schema, &binding)),
+                );
             }
             if facts.len() == before {
                 return Ok(facts);
@@ -109,7 +243,33 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Returns the actions whose preconditions hold.
+    /// Returns the facts of a literal: one, or one for each binding of the variables of `forall`.
+    pub(super) fn instances(
+        &self,
+        literal: &'a Literal,
+        schema: &Schema,
+        binding: &[&'a str],
+    ) -> Vec<Fact<'a>> {
+        let mut facts = vec![ground(&literal.atom, schema, binding)];
+        for variable in &literal.variables {
+            let objects: Vec<&'a str> = (self.objects.iter())
+                .filter(|(_, type_name)| self.domain.is_a(type_name, &variable.type_name))
+                .map(|(object, _)| *object)
+                .collect();
+            let bound = facts.iter().flat_map(|fact| {
+                objects.iter().map(|&object| {
+                    let words = fact.iter();
+                    words
+                        .map(|&word| if word == variable.name { object } else { word })
+                        .collect()
+                })
+            });
+            facts = bound.collect();
+        }
+        facts
+    }
+
+    /// Returns the actions whose positive preconditions hold.
     fn applicable(
         &self,
         facts: &BTreeSet<Fact<'a>>,
@@ -132,12 +292,18 @@ impl<'a> Problem<'a> {
         bound: &mut Vec<Bound<'a>>,
     ) -> Result<(), GoalError> {
         spend(work, 1 + schema.preconditions.len())?;
-        let mut needed = (schema.preconditions.iter()).map(|p| ground(p, schema, &binding));
-        if !needed.all(|fact| fact.iter().any(|word| is_open(word)) || facts.contains(&fact)) {
-            return Ok(());
+        let needed = schema.preconditions.iter().filter(|literal| literal.holds);
+        for literal in needed {
+            let instances = self.instances(literal, schema, &binding);
+            spend(work, instances.len() - usize::from(!instances.is_empty()))?;
+            let mut instances = instances.iter();
+            if !instances.all(|fact| fact.iter().any(|word| is_open(word)) || facts.contains(fact))
+            {
+                return Ok(());
+            }
         }
         let Some(parameter) = schema.parameters.get(next) else {
-            spend(work, schema.add.len() + schema.delete.len())?;
+            spend(work, schema.effects.len())?;
             bound.push((schema, binding));
             return Ok(());
         };
@@ -153,20 +319,24 @@ impl<'a> Problem<'a> {
 
     /// Returns, for each unreachable part of the goal, the unmet preconditions of the actions that lead to it.
     pub(super) fn unmet_preconditions(&self) -> Result<Vec<String>, GoalError> {
-        let facts = self.reachable(&mut 0)?;
+        let facts = self.reachable(None, &mut 0)?;
         let mut unmet = BTreeSet::new();
-        for goal in self.goal.iter().filter(|&fact| !facts.contains(fact)) {
+        let goals = self
+            .goal
+            .iter()
+            .filter(|(holds, fact)| *holds && !facts.contains(fact));
+        for (_, goal) in goals {
             let schemas = self.domain.schemas.iter();
             let effects =
-                schemas.flat_map(|schema| schema.add.iter().map(move |add| (schema, add)));
+                schemas.flat_map(|schema| schema.added().map(move |add| (schema, &add.atom)));
             let ways = effects.filter_map(|(schema, add)| self.unify(schema, add, goal));
             let ways: Vec<Bound<'_>> = ways.collect();
             if ways.is_empty() {
                 unmet.insert(format!("no action brings about {}", text(goal)));
             }
             for (schema, binding) in ways {
-                for precondition in &schema.preconditions {
-                    let wanted = ground(precondition, schema, &binding);
+                let needed = schema.preconditions.iter().filter(|literal| literal.holds);
+                for wanted in needed.flat_map(|literal| self.instances(literal, schema, &binding)) {
                     if !facts.iter().any(|fact| is_instance(fact, &wanted)) {
                         unmet.insert(format!("{} needs {}", schema.name, text(&wanted)));
                     }
@@ -191,13 +361,151 @@ impl<'a> Problem<'a> {
     }
 }
 
+impl GroundProblem<'_> {
+    /// Returns the numbers of the actions of a plan of least cost (A*). The least costs of the parts of the goal that are
+    /// still open never exceed the cost of the remaining steps, because actions that bring about several share their cost.
+    fn search(&self, costs: &dyn StepCosts, place: usize) -> Result<Option<Vec<usize>>, GoalError> {
+        let mut work = 0;
+        let limit = if costs.is_unit() {
+            MAX_WORK
+        } else {
+            MAX_COSTED_WORK
+        };
+        let mut nodes = vec![Node {
+            facts: self.start.clone(),
+            place,
+            cost: 0.0,
+            came_by: None,
+        }];
+        let mut best = HashMap::from([((self.start.clone(), place), 0.0)]);
+        let mut queue = BinaryHeap::from([Reverse((Cost(self.remaining(&self.start)), 0))]);
+        while let Some(Reverse((_, index))) = queue.pop() {
+            let Node {
+                facts, place, cost, ..
+            } = &nodes[index];
+            let (facts, place, cost) = (facts.clone(), *place, *cost);
+            if self
+                .goal
+                .iter()
+                .all(|&(fact, holds, _)| has(&facts, fact) == holds)
+            {
+                let back =
+                    std::iter::successors(nodes[index].came_by, |(node, _)| nodes[*node].came_by);
+                let mut steps: Vec<usize> = back.map(|(_, action)| action).collect();
+                steps.reverse();
+                return Ok(Some(steps));
+            }
+            if best
+                .get(&(facts.clone(), place))
+                .is_some_and(|&least| least < cost)
+            {
+                continue;
+            }
+            spend_within(limit, &mut work, self.actions.len())?;
+            for (action, number) in self.actions.iter().zip(0..) {
+                if !action.applies(&facts) {
+                    continue;
+                }
+                spend_within(limit, &mut work, facts.len() + 1)?;
+                let next = action.apply(&facts);
+                let (step, place) = costs.cost(&action.step, place);
+                let cost = cost + step;
+                let key = (next.clone(), place);
+                if best.get(&key).is_some_and(|&least| least <= cost) {
+                    continue;
+                }
+                best.insert(key, cost);
+                let estimate = cost + self.remaining(&next);
+                nodes.push(Node {
+                    facts: next,
+                    place,
+                    cost,
+                    came_by: Some((index, number)),
+                });
+                if estimate.is_finite() {
+                    queue.push(Reverse((Cost(estimate), nodes.len() - 1)));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// Lower bound of the cost from a state to the goal.
+    fn remaining(&self, facts: &Facts) -> f64 {
+        let open = self
+            .goal
+            .iter()
+            .filter(|&&(fact, holds, _)| has(facts, fact) != holds);
+        open.map(|(_, _, least)| least).sum()
+    }
+}
+
+impl GroundAction<'_> {
+    fn applies(&self, facts: &Facts) -> bool {
+        self.needs.iter().all(|&fact| has(facts, fact))
+            && !self.excludes.iter().any(|&fact| has(facts, fact))
+    }
+
+    fn apply(&self, facts: &Facts) -> Facts {
+        let mut next = facts.clone();
+        self.deletes
+            .iter()
+            .for_each(|&fact| set(&mut next, fact, false));
+        self.adds
+            .iter()
+            .for_each(|&fact| set(&mut next, fact, true));
+        next
+    }
+}
+
+fn has(facts: &Facts, fact: usize) -> bool {
+    facts[fact / 64] >> (fact % 64) & 1 == 1
+}
+
+fn set(facts: &mut Facts, fact: usize, holds: bool) {
+    let bit = 1 << (fact % 64);
+    if holds {
+        facts[fact / 64] |= bit;
+    } else {
+        facts[fact / 64] &= !bit;
+    }
+}
+
+/// A cost with a total order.
+#[derive(Debug, Clone, Copy)]
+struct Cost(f64);
+
+impl PartialEq for Cost {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Cost {}
+
+impl PartialOrd for Cost {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Cost {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
 fn spend(work: &mut usize, more: usize) -> Result<(), GoalError> {
+    spend_within(MAX_WORK, work, more)
+}
+
+fn spend_within(limit: usize, work: &mut usize, more: usize) -> Result<(), GoalError> {
     *work += more;
     let source = Source {
         name: DERIVED,
         text: "",
     };
-    source.check_size("steps of the search", *work, MAX_WORK)
+    source.check_size("steps of the search", *work, limit)
 }
 
 /// Returns a binding in which every parameter has its own name.

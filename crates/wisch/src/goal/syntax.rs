@@ -60,6 +60,16 @@ impl Atom {
     }
 }
 
+/// An atom that is to hold or not to hold, for all objects that its variables can stand for.
+#[derive(Debug, Clone)]
+pub(super) struct Literal {
+    /// Variables of `forall`; empty without it.
+    pub(super) variables: Vec<Typed>,
+    /// Whether the atom is not negated.
+    pub(super) holds: bool,
+    pub(super) atom: Atom,
+}
+
 /// Kind of the entries of a typed list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Listed {
@@ -156,29 +166,38 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     Ok(Atom { at: form.at, words })
 }
 
-/// Reads an atom, `(not atom)`, or an `(and ...)` of these; `()` is empty. Each atom comes with whether it is positive.
-pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<(bool, Atom)>, GoalError> {
+/// Reads an atom, `(not atom)`, `(forall (variables) ...)` of these, or an `(and ...)` of all of them; `()` is empty.
+pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
+    let single = |holds, atom| Literal {
+        variables: Vec::new(),
+        holds,
+        atom,
+    };
     match form.head() {
         None if form.list().is_some_and(<[Form]>::is_empty) => Ok(Vec::new()),
         Some(("and", forms)) => {
             let parts = forms.iter().map(|form| literals(source, form));
             Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
         }
+        Some(("forall", [variables, body])) => {
+            let list = variables.list();
+            let list = list.ok_or_else(|| source.expected("a list of variables", variables))?;
+            let variables = typed_list(source, list, Listed::Variables)?;
+            let mut literals = literals(source, body)?;
+            for literal in &mut literals {
+                if !literal.variables.is_empty() {
+                    return Err(source.not_supported(form.at, "`forall` in `forall`"));
+                }
+                literal.variables.clone_from(&variables);
+            }
+            Ok(literals)
+        }
+        Some(("forall", _)) => Err(source.expected("`(forall (variables) ...)`", form)),
         Some(("not", [form])) if form.head().is_some_and(|(head, _)| head == "not") => {
             Err(source.not_supported(form.at, "`(not (not ...))`"))
         }
-        Some(("not", [form])) => Ok(vec![(false, atom(source, form)?)]),
+        Some(("not", [form])) => Ok(vec![single(false, atom(source, form)?)]),
         Some(("not", _)) => Err(source.expected("`(not atom)`", form)),
-        _ => Ok(vec![(true, atom(source, form)?)]),
+        _ => Ok(vec![single(true, atom(source, form)?)]),
     }
-}
-
-/// Reads a list of atoms, none of which may be negated.
-pub(super) fn atoms(source: Source<'_>, form: &Form, role: &str) -> Result<Vec<Atom>, GoalError> {
-    let literals = literals(source, form)?.into_iter();
-    let atoms = literals.map(|(holds, atom)| {
-        let refused = || source.not_supported(atom.at, &format!("`not` in {role}"));
-        if holds { Ok(atom) } else { Err(refused()) }
-    });
-    atoms.collect()
 }

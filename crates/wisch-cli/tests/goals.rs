@@ -1,0 +1,239 @@
+//! Goals of several parts: steps in the order of their expected time, and what remains if one fails.
+
+use crate::program::{root, wisch};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// Crumbs and water on a board before an arm that holds a sponge.
+fn write_board(folder: &Path) {
+    let task = r#"
+        schema = 1
+        name = "board"
+        seed = 1
+        goal = "(and (collected breadcrumbs chopping_board) (absorbed water chopping_board) (not (wet chopping_board)))"
+        strategy = "kde"
+        target_performance = 0.85
+        [tool]
+        in_hand = "sponge"
+        [surface]
+        name = "chopping_board"
+        size_m = [0.28, 0.20]
+        position_m = [0.0, 0.0, 0.77]
+        [[medium]]
+        name = "water"
+        particles = { source = "clusters", count = 40, clusters = [{ center_m = [0.0, 0.0], sigma_m = 0.03 }] }
+        [[medium]]
+        name = "breadcrumbs"
+        particles = { source = "uniform", count = 40 }
+        collect = { goal_m = [0.05, 0.0] }
+        [perception]
+        senses = ["touch", "sight"]
+        [robot]
+        name = "arm7"
+        position_m = [0.0, -0.45, 0.75]
+        rpy_rad = [0.0, 0.0, 1.5707963267948966]
+    "#;
+    fs::write(folder.join("board.toml"), task).unwrap();
+}
+
+fn summary_of(folder: &Path, args: &[&str]) -> (i32, Value, String) {
+    let (code, out, err) = wisch(folder, args);
+    let value = serde_json::from_str(&out).unwrap_or_else(|_| panic!("{code}: {out}\n{err}"));
+    (code, value, err)
+}
+
+fn steps(summary: &Value) -> Vec<String> {
+    let steps = summary["steps"].as_array().unwrap().iter();
+    steps
+        .map(|step| step["step"].as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn a_board_is_wiped_step_by_step() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let args = ["run", "board.toml", "--json", "--no-memory"];
+    let (code, summary, err) = summary_of(folder.path(), &args);
+    assert_eq!(summary["format"], "wisch-steps");
+    let taken = steps(&summary);
+    assert_eq!(
+        taken[0], "(collect sponge breadcrumbs chopping_board)",
+        "{taken:?}"
+    );
+    assert!(err.contains("2 steps in "), "{err}");
+    let is_met = summary["goal_met"].as_bool().unwrap();
+    assert_eq!(code, i32::from(!is_met));
+    let parts = summary["parts"].as_array().unwrap();
+    assert_eq!(
+        is_met,
+        parts.iter().all(|part| part["holds"] == true),
+        "{summary}"
+    );
+    assert!(is_met, "{summary:#}");
+    assert_eq!(
+        taken.last().unwrap(),
+        "(absorb sponge water chopping_board)"
+    );
+    let clock: f64 = summary["steps"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|step| step["took_s"].as_f64().unwrap())
+        .sum();
+    assert!((clock - summary["took_s"].as_f64().unwrap()).abs() < 1e-9);
+    let out = folder.path().join("out/board");
+    for file in [
+        "steps.json",
+        "report.html",
+        "step-1/report.html",
+        "step-2/rounds.json",
+    ] {
+        assert!(out.join(file).exists(), "{file}");
+    }
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("href=\"step-1/report.html\""));
+}
+
+#[test]
+fn a_step_that_fails_twice_is_ruled_out_and_nothing_loops() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    // The true crumbs hardly react, and one round is not enough for them.
+    let hard = [
+        "--set",
+        "execution.mu=3.0",
+        "--set",
+        "execution.max_rounds=1",
+    ];
+    let args = [&["run", "board.toml", "--json", "--no-memory"][..], &hard].concat();
+    let (code, summary, err) = summary_of(folder.path(), &args);
+    assert_eq!(
+        (code, &summary["goal_met"]),
+        (1, &Value::Bool(false)),
+        "{summary:#}"
+    );
+    let collected = "(collect sponge breadcrumbs chopping_board)";
+    let taken = steps(&summary);
+    assert_eq!(
+        taken.iter().filter(|step| *step == collected).count(),
+        2,
+        "{taken:?}"
+    );
+    assert!(
+        err.contains("ruled out, and the other steps are planned anew"),
+        "{err}"
+    );
+    let part = &summary["parts"][0];
+    assert_eq!(part["holds"], false);
+    assert!(
+        part["left_out"]
+            .as_str()
+            .unwrap()
+            .contains("its goal was not reached"),
+        "{part}"
+    );
+    // The second attempt begins with what the first one has left.
+    let second = &summary["steps"][1];
+    assert_eq!(second["earlier_tries"], 1);
+}
+
+#[test]
+fn without_a_tool_its_part_is_left_out_and_the_rest_is_predicted() {
+    let folder = tempfile::tempdir().unwrap();
+    let task = root().join("scenarios/kitchen.toml");
+    let task = task.to_str().unwrap();
+    let args = [
+        "run",
+        task,
+        "--json",
+        "--robot",
+        "none",
+        "--strategy",
+        "kde",
+        "--out",
+        "kitchen",
+        "--set",
+        "tool.rack=[{ name = \"brush\" }]",
+    ];
+    let (code, summary, _) = summary_of(folder.path(), &args);
+    assert_eq!((code, &summary["is_executed"]), (1, &Value::Bool(false)));
+    let parts = summary["parts"].as_array().unwrap();
+    let reason = |index: usize| {
+        parts[index]["left_out"]
+            .as_str()
+            .unwrap_or_default()
+            .to_owned()
+    };
+    assert!(
+        reason(2).contains("absorb needs (can-absorb"),
+        "{}",
+        reason(2)
+    );
+    assert!(
+        reason(3).contains("polish needs (can-polish"),
+        "{}",
+        reason(3)
+    );
+    assert_eq!(parts[0]["holds"], true, "{summary:#}");
+}
+
+#[test]
+fn what_needs_one_part_says_how_to_choose_it() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let advice = "--set goal='(collected breadcrumbs chopping_board)'";
+    for args in [
+        &["run", "board.toml", "--plan", "plan.json"][..],
+        &["run", "board.toml", "--executor", "true"],
+        &["interpret", "--task", "board.toml", "log.csv"],
+        &["check", "board.toml", "--json"],
+    ] {
+        let (code, out, err) = wisch(folder.path(), args);
+        assert_eq!(code, 2, "{args:?}");
+        assert!((out + &err).contains(advice), "{args:?}: {err}");
+    }
+    let (code, out, err) = wisch(folder.path(), &["check", "board.toml"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("(absorbed water chopping_board): "), "{out}");
+}
+
+#[test]
+fn faults_of_parts_name_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    for (piece, by, expected) in [
+        (
+            "name = \"water\"",
+            "name = \"water\"\n on = \"tabel\"",
+            "task.toml:16:7: unknown surface \"tabel\"",
+        ),
+        (
+            "name = \"water\"",
+            "name = \"water\"\n colour = 3",
+            "task.toml:16:2: [medium]: unknown key \"colour\"",
+        ),
+        (
+            "(absorbed water chopping_board)",
+            "(absorbed oil floor)",
+            "names no medium and no surface of this file",
+        ),
+        (
+            "in_hand = \"sponge\"",
+            "rack = [{ name = \"sponge\", position_m = [0, 0] }]",
+            "tool.rack.position_m: expected three numbers",
+        ),
+        (
+            "in_hand = \"sponge\"",
+            "rack = [{ name = \"sponge\", position_m = [0, 0, 200] }]",
+            "is outside its limits",
+        ),
+    ] {
+        write_board(folder.path());
+        let text = fs::read_to_string(folder.path().join("board.toml")).unwrap();
+        fs::write(folder.path().join("task.toml"), text.replacen(piece, by, 1)).unwrap();
+        let (code, _, err) = wisch(folder.path(), &["predict", "task.toml"]);
+        assert_eq!(code, 2, "{err}");
+        assert!(err.contains(expected), "{expected}: {err}");
+    }
+}

@@ -1,0 +1,577 @@
+//! Goals of several parts: in which order surfaces are wiped, and which tools are fetched for it.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use super::domain::Schema;
+use super::form::{self, Source};
+use super::search::{self, Fact, Problem, StepCosts};
+use super::{
+    Domain, GOAL_TEXT_NAME, GoalError, GoalLiteral, owned, syntax, wiping_step,
+    with_declared_predicate,
+};
+use crate::represent::{Action, KnowledgeBase, MediumKind};
+
+/// A conjunction of facts, each of which is to hold or not to hold, such as
+/// `(and (collected breadcrumbs chopping_board) (not (wet table)))`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CompoundGoal {
+    /// Whether each fact is to hold, and the fact.
+    parts: Vec<(bool, GoalLiteral)>,
+}
+
+impl CompoundGoal {
+    /// Reads a goal: one fact, a negated fact, or an `(and ...)` of these. PDDL ignores case, so names are converted to
+    /// lower case, and a part that is repeated counts once.
+    ///
+    /// # Errors
+    ///
+    /// [`GoalError::Text`], with line and column, for anything else, and for a goal without parts.
+    ///
+    /// ```
+    /// use wisch::goal::CompoundGoal;
+    /// let goal = CompoundGoal::parse("(and (absorbed water table) (not (wet table)))")?;
+    /// let parts: Vec<(bool, String)> =
+    ///     goal.parts().map(|(holds, fact)| (holds, fact.to_string())).collect();
+    /// assert_eq!(parts, [(true, "(absorbed water table)".to_owned()), (false, "(wet table)".to_owned())]);
+    /// # Ok::<(), wisch::goal::GoalError>(())
+    /// ```
+    pub fn parse(text: &str) -> Result<Self, GoalError> {
+        let source = Source {
+            name: GOAL_TEXT_NAME,
+            text,
+        };
+        let form = form::read(source)?;
+        let mut parts: Vec<(bool, GoalLiteral)> = Vec::new();
+        for literal in syntax::literals(source, &form)? {
+            if !literal.variables.is_empty() {
+                return Err(source.not_supported(form.at, "`forall` in a goal"));
+            }
+            let atom = literal.atom;
+            if let Some(variable) = atom.words.iter().find(|word| word.starts_with('?')) {
+                return Err(source.expected_at(atom.at, "names only", &format!("`{variable}`")));
+            }
+            let part = (literal.holds, GoalLiteral { words: atom.words });
+            if !parts.contains(&part) {
+                parts.push(part);
+            }
+        }
+        if parts.is_empty() {
+            return Err(source.expected("a fact", &form));
+        }
+        Ok(Self { parts })
+    }
+
+    /// Iterates over the parts in their order: whether a fact is to hold, and the fact.
+    pub fn parts(&self) -> impl Iterator<Item = (bool, &GoalLiteral)> {
+        self.parts.iter().map(|(holds, fact)| (*holds, fact))
+    }
+}
+
+impl fmt::Display for CompoundGoal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.parts[..] {
+            [part] => f.write_str(&describe_part(part)),
+            parts => {
+                let parts: Vec<String> = parts.iter().map(describe_part).collect();
+                write!(f, "(and {})", parts.join(" "))
+            }
+        }
+    }
+}
+
+fn describe_part((holds, fact): &(bool, GoalLiteral)) -> String {
+    if *holds {
+        fact.to_string()
+    } else {
+        format!("(not {fact})")
+    }
+}
+
+/// A wiping action with its tool, medium and surface.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Wiping {
+    /// The wiping action.
+    pub action: Action,
+    /// Name of the tool.
+    pub tool: String,
+    /// Name of the medium.
+    pub medium: String,
+    /// Name of the surface.
+    pub surface: String,
+}
+
+impl fmt::Display for Wiping {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            action,
+            tool,
+            medium,
+            surface,
+        } = self;
+        write!(f, "{action} {medium} on {surface} with {tool}")
+    }
+}
+
+/// A place at which a step is carried out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StepPlace<'a> {
+    /// Where the robot stands before the first step.
+    Start,
+    /// At a surface, by its name.
+    Surface(&'a str),
+    /// Where a tool is fetched, put back and emptied, by the tool's name.
+    Rack(&'a str),
+}
+
+/// The expected times of steps \[s\]. All are finite and not negative.
+pub trait StepTimes {
+    /// Expected time until the wiping has reached its goal; `None` if it cannot.
+    fn wiping(&self, wiping: &Wiping) -> Option<f64>;
+    /// Time of any other step, such as `grasp`, by its name.
+    fn handling(&self, name: &str) -> f64;
+    /// Time of the way between two places.
+    fn moving(&self, from: StepPlace<'_>, to: StepPlace<'_>) -> f64;
+}
+
+/// A step of a sequence: an action with its objects and its expected time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// Name of the action, then its objects.
+    words: Vec<String>,
+    /// The wiping action; `None` for a step such as `(grasp sponge)`.
+    pub wiping: Option<Wiping>,
+    /// Expected time, with the way to its place \[s\].
+    pub time: f64,
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&search::text(&self.words))
+    }
+}
+
+impl Step {
+    /// Name of the action, such as `grasp`.
+    pub fn name(&self) -> &str {
+        &self.words[0]
+    }
+
+    /// Names of the step's objects, in the order of the action's parameters.
+    pub fn objects(&self) -> &[String] {
+        &self.words[1..]
+    }
+}
+
+/// A sequence of steps for a goal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sequence {
+    /// The steps, in the order of their execution. Their total time is the least of all sequences.
+    pub steps: Vec<Step>,
+    /// Parts of the goal that no sequence reaches, each with the reason.
+    pub left_out: Vec<(String, String)>,
+}
+
+impl Sequence {
+    /// Expected time of all steps \[s\].
+    pub fn time(&self) -> f64 {
+        self.steps.iter().map(|step| step.time).sum()
+    }
+}
+
+/// A medium that lies on a surface, or treats it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MediumOnSurface {
+    /// Name of the medium.
+    pub medium: String,
+    /// Name of the surface.
+    pub surface: String,
+}
+
+/// The symbolic state: the facts that hold, and the objects that there are.
+#[derive(Debug, Clone)]
+pub struct Situation<'a> {
+    domain: &'a Domain,
+    /// Names with their types.
+    objects: Vec<(String, &'static str)>,
+    facts: BTreeSet<Vec<String>>,
+    on_surfaces: Vec<MediumOnSurface>,
+}
+
+impl<'a> Situation<'a> {
+    /// Makes the state before the first step. Facts without a predicate in the domain are left out.
+    ///
+    /// - `media`: the media on the surfaces, and those of treatments, which the tool brings along.
+    /// - `tool_in_hand`, `tools`: the tool in the hand, and those that the robot can fetch.
+    ///
+    /// The facts: what the hand holds; `(on m s)` for every medium that lies on a surface; `(wet s)` under a liquid;
+    /// `(in-way d m s)` where d is loose dirt and m a liquid, or d is dirt and m the medium of a treatment; and
+    /// `(can-action tool medium surface)` as the knowledge base has them.
+    ///
+    /// # Errors
+    ///
+    /// [`GoalError::Knowledge`] for a name that is not in the knowledge base.
+    pub fn new(
+        domain: &'a Domain,
+        knowledge: &KnowledgeBase,
+        goal: &CompoundGoal,
+        media: &[MediumOnSurface],
+        tool_in_hand: Option<&str>,
+        tools: &[&str],
+    ) -> Result<Self, GoalError> {
+        let mut situation = Self {
+            domain,
+            objects: Vec::new(),
+            facts: BTreeSet::new(),
+            on_surfaces: media.to_vec(),
+        };
+        match tool_in_hand {
+            Some(tool) => situation.add(["holding", tool]),
+            None => situation.add(["hand-empty"]),
+        }
+        for &tool in tool_in_hand.iter().chain(tools) {
+            knowledge.tool(tool)?;
+            situation.name(tool, "tool");
+        }
+        for MediumOnSurface { medium, surface } in media {
+            knowledge.surface(surface)?;
+            situation.name(medium, "medium");
+            situation.name(surface, "surface");
+            let rank = rank(knowledge, goal, medium, surface)?;
+            if rank < TREATMENT {
+                situation.add(["on", medium, surface]);
+            }
+            if rank == LIQUID {
+                situation.add(["wet", surface]);
+            }
+            for other in media.iter().filter(|other| other.surface == *surface) {
+                if rank < self::rank(knowledge, goal, &other.medium, surface)? {
+                    situation.add(["in-way", medium, &other.medium, surface]);
+                }
+            }
+            for action in Action::ALL {
+                for capable in knowledge.tools_for(medium, surface, action)? {
+                    let tool = capable.tool.name.as_str();
+                    if situation.objects.contains(&(tool.to_owned(), "tool")) {
+                        situation.add([&format!("can-{action}"), tool, medium, surface]);
+                    }
+                }
+            }
+        }
+        Ok(situation)
+    }
+
+    /// Adds a fact, if the domain has its predicate.
+    fn add<const N: usize>(&mut self, words: [&str; N]) {
+        if self.domain.predicates.iter().any(|p| p.name == words[0]) {
+            self.facts.insert(owned(&words));
+        }
+    }
+
+    fn name(&mut self, name: &str, type_name: &'static str) {
+        let object = (name.to_owned(), type_name);
+        if !self.objects.contains(&object) {
+            self.objects.push(object);
+        }
+    }
+
+    /// Whether a fact holds.
+    pub fn holds(&self, fact: &GoalLiteral) -> bool {
+        self.facts
+            .contains(&with_declared_predicate(fact, self.domain).words)
+    }
+
+    /// Applies the effects of a step that was carried out.
+    pub fn apply(&mut self, step: &Step) {
+        let Some(schema) = self.schema(step.name()) else {
+            return;
+        };
+        let objects: Vec<&str> = step.objects().iter().map(String::as_str).collect();
+        let problem = self.problem(Vec::new());
+        let mut facts = self.facts.clone();
+        for holds in [false, true] {
+            let effects = schema.effects.iter().filter(|effect| effect.holds == holds);
+            for fact in effects.flat_map(|effect| problem.instances(effect, schema, &objects)) {
+                if holds {
+                    facts.insert(owned(&fact));
+                } else {
+                    facts.remove(&owned(&fact));
+                }
+            }
+        }
+        self.facts = facts;
+    }
+
+    /// Rules a wiping action out from now on: the fact that the tool can do it no longer holds.
+    pub fn rule_out(&mut self, wiping: &Wiping) {
+        let Wiping {
+            action,
+            tool,
+            medium,
+            surface,
+        } = wiping;
+        self.facts
+            .remove(&owned(&[&format!("can-{action}"), tool, medium, surface]));
+    }
+
+    fn schema(&self, name: &str) -> Option<&'a Schema> {
+        self.domain
+            .schemas
+            .iter()
+            .find(|schema| schema.name == name)
+    }
+
+    /// Returns the fact that a wiping action brings about, such as `(absorbed water table)`: the first of its effects.
+    /// `None` if the domain has no such action or effect.
+    pub fn effect_of(&self, wiping: &Wiping) -> Option<GoalLiteral> {
+        let schema = self.schema(wiping.action.as_str())?;
+        let objects = bind(schema, wiping)?;
+        let effect = schema.added().find(|effect| effect.variables.is_empty())?;
+        let facts = self.problem(Vec::new()).instances(effect, schema, &objects);
+        let words = owned(facts.first()?);
+        Some(GoalLiteral { words })
+    }
+
+    /// Returns the wiping actions that may serve a goal: those that bring its parts about, and those that remove a medium
+    /// which is in their way. Sorted by surface and medium in the order of the situation, then by action and tool.
+    pub fn possible_wipings(&self, goal: &CompoundGoal) -> Vec<Wiping> {
+        let mut all = Vec::new();
+        for on in &self.on_surfaces {
+            let of_medium = self.capable(on);
+            let serving = of_medium.iter().filter(|wiping| self.serves(wiping, goal));
+            let serving: Vec<Wiping> = serving.cloned().collect();
+            let is_in_way = || {
+                let way = ["in-way".to_owned(), on.medium.clone()];
+                self.facts
+                    .iter()
+                    .any(|fact| fact.starts_with(&way) && fact.last() == Some(&on.surface))
+            };
+            if !serving.is_empty() {
+                all.extend(serving);
+            } else if is_in_way() {
+                all.extend(of_medium);
+            }
+        }
+        all
+    }
+
+    /// Returns the wiping actions that a tool can do with a medium on a surface.
+    fn capable(&self, on: &MediumOnSurface) -> Vec<Wiping> {
+        let mut found = Vec::new();
+        for action in Action::ALL {
+            for (tool, _) in self.objects.iter().filter(|(_, kind)| *kind == "tool") {
+                let fact = owned(&[&format!("can-{action}"), tool, &on.medium, &on.surface]);
+                if self.facts.contains(&fact) {
+                    found.push(Wiping {
+                        action,
+                        tool: tool.clone(),
+                        medium: on.medium.clone(),
+                        surface: on.surface.clone(),
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a wiping action brings a part of the goal about.
+    fn serves(&self, wiping: &Wiping, goal: &CompoundGoal) -> bool {
+        let Some(schema) = self.schema(wiping.action.as_str()) else {
+            return false;
+        };
+        let problem = self.problem(Vec::new());
+        let Some(objects) = bind(schema, wiping) else {
+            return false;
+        };
+        (schema.effects.iter()).any(|effect| {
+            let facts = problem.instances(effect, schema, &objects);
+            goal.parts.iter().any(|(holds, part)| {
+                let part = with_declared_predicate(part, self.domain);
+                *holds == effect.holds && facts.iter().any(|fact| part.words == owned(fact))
+            })
+        })
+    }
+
+    /// Returns the planning problem of some parts of a goal.
+    fn problem<'p>(&'p self, goal: Vec<(bool, Fact<'p>)>) -> Problem<'p> {
+        let constants = self.domain.constants.iter().map(syntax::Typed::as_pair);
+        let mut objects: Vec<(&str, &str)> = constants.collect();
+        for (name, type_name) in &self.objects {
+            // A constant of the domain is an object already.
+            if self.domain.constants.iter().all(|c| c.name != *name) {
+                objects.push((name, type_name));
+            }
+        }
+        let facts = self.facts.iter();
+        Problem {
+            domain: self.domain,
+            objects,
+            init: facts.map(|fact| as_fact(fact)).collect(),
+            goal,
+        }
+    }
+
+    /// Plans the sequence of least expected time. Parts of the goal that no sequence reaches are left out, with reasons.
+    ///
+    /// `place`: where the robot is; `times`: the expected times of the steps.
+    ///
+    /// # Errors
+    ///
+    /// [`GoalError::Text`] for a predicate that is not in the domain or an object that is not in the situation,
+    /// [`GoalError::NoPlan`] if parts of the goal are reached alone but not together, and [`GoalError::TooLarge`] if the
+    /// search would take more than about a second.
+    pub fn plan(
+        &self,
+        goal: &CompoundGoal,
+        place: StepPlace<'_>,
+        times: &dyn StepTimes,
+    ) -> Result<Sequence, GoalError> {
+        let parts: Vec<(bool, GoalLiteral)> = (goal.parts.iter())
+            .map(|(holds, part)| (*holds, with_declared_predicate(part, self.domain)))
+            .collect();
+        let costs = Times {
+            situation: self,
+            places: self.places(place),
+            times,
+        };
+        let (mut reached, mut left_out) = (Vec::new(), Vec::new());
+        for part in &parts {
+            let problem = self.problem(vec![(part.0, as_fact(&part.1.words))]);
+            problem.check()?;
+            if problem.cheapest_plan(&costs, 0)?.is_some() {
+                reached.push((part.0, as_fact(&part.1.words)));
+            } else {
+                let reasons = problem.unmet_preconditions()?;
+                let reason = if reasons.is_empty() {
+                    "no wiping action that serves it can be carried out".to_owned()
+                } else {
+                    reasons.join("; ")
+                };
+                left_out.push((describe_part(part), reason));
+            }
+        }
+        let problem = self.problem(reached);
+        let Some(steps) = problem.cheapest_plan(&costs, 0)? else {
+            return Err(GoalError::NoPlan {
+                goal: goal.to_string(),
+                unmet: Vec::new(),
+            });
+        };
+        let mut place = 0;
+        let steps = steps.iter().map(|words| {
+            let (time, next) = costs.cost(words, place);
+            place = next;
+            Step {
+                words: owned(words),
+                wiping: costs.wiping(words),
+                time,
+            }
+        });
+        Ok(Sequence {
+            steps: steps.collect(),
+            left_out,
+        })
+    }
+
+    /// The places of steps, the present one first.
+    fn places<'p>(&'p self, present: StepPlace<'p>) -> Vec<StepPlace<'p>> {
+        let places = self.objects.iter().filter_map(|(name, kind)| match *kind {
+            "tool" => Some(StepPlace::Rack(name)),
+            "surface" => Some(StepPlace::Surface(name)),
+            _ => None,
+        });
+        std::iter::once(present).chain(places).collect()
+    }
+}
+
+/// Binds the parameters of a wiping action; `None` if it has others than tool, medium and surface.
+fn bind<'p>(schema: &Schema, wiping: &'p Wiping) -> Option<Vec<&'p str>> {
+    let objects = schema
+        .parameters
+        .iter()
+        .map(|parameter| match parameter.type_name.as_str() {
+            "tool" => Some(wiping.tool.as_str()),
+            "medium" => Some(wiping.medium.as_str()),
+            "surface" => Some(wiping.surface.as_str()),
+            _ => None,
+        });
+    objects.collect()
+}
+
+fn as_fact(words: &[String]) -> Fact<'_> {
+    words.iter().map(String::as_str).collect()
+}
+
+/// The times of steps as costs of the search.
+struct Times<'a> {
+    situation: &'a Situation<'a>,
+    places: Vec<StepPlace<'a>>,
+    times: &'a dyn StepTimes,
+}
+
+impl Times<'_> {
+    fn wiping(&self, words: &[&str]) -> Option<Wiping> {
+        let step = words.to_vec();
+        let (action, [tool, medium, surface]) = wiping_step(&step, self.situation.domain)?;
+        Some(Wiping {
+            action,
+            tool,
+            medium,
+            surface,
+        })
+    }
+
+    /// Time of a step without the way to it, and the place at which it is carried out.
+    fn at_place(&self, words: &[&str], present: usize) -> (Option<f64>, usize) {
+        if let Some(wiping) = self.wiping(words) {
+            let place = StepPlace::Surface(&wiping.surface);
+            let index = self.places.iter().position(|other| *other == place);
+            return (self.times.wiping(&wiping), index.unwrap_or(present));
+        }
+        let racks = words[1..].iter().filter_map(|word| {
+            let place = StepPlace::Rack(word);
+            self.places.iter().position(|other| *other == place)
+        });
+        let index = racks.into_iter().next().unwrap_or(present);
+        (Some(self.times.handling(words[0])), index)
+    }
+}
+
+impl StepCosts for Times<'_> {
+    fn cost(&self, step: &[&str], place: usize) -> (f64, usize) {
+        let (time, next) = self.at_place(step, place);
+        let way = if next == place {
+            0.0
+        } else {
+            self.times.moving(self.places[place], self.places[next])
+        };
+        (way + time.unwrap_or(f64::INFINITY), next)
+    }
+
+    fn least(&self, step: &[&str]) -> Option<f64> {
+        self.at_place(step, 0).0
+    }
+}
+
+/// Loose dirt goes first, then liquids, then treatments.
+const LOOSE: u8 = 0;
+const LIQUID: u8 = 1;
+const TREATMENT: u8 = 2;
+
+fn rank(
+    knowledge: &KnowledgeBase,
+    goal: &CompoundGoal,
+    medium: &str,
+    surface: &str,
+) -> Result<u8, GoalError> {
+    let treats = goal.parts().any(|(holds, fact)| {
+        holds
+            && ["polished", "dispensed", "emitted"].contains(&fact.predicate())
+            && fact.arguments() == [medium, surface]
+    });
+    Ok(match knowledge.medium(medium)?.kind {
+        _ if treats => TREATMENT,
+        MediumKind::Liquid => LIQUID,
+        _ => LOOSE,
+    })
+}
