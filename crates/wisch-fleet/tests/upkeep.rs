@@ -105,7 +105,10 @@ async fn retention_removes_only_old_telemetry() {
         .await
         .unwrap();
     assert_eq!((pulled.episodes, pulled.thinned), (5, 1));
-    assert!(there.verify().unwrap().is_empty());
+    // Synthetic episodes lack telemetry of most rounds, which is no fault of a copy.
+    for id in there.episodes().unwrap() {
+        assert!(there.episode(&id).unwrap().faults().is_empty(), "{id}");
+    }
     let (here, there) = (contents(&memory), contents(&there));
     let lacking: Vec<&String> = here
         .keys()
