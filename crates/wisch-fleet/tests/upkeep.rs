@@ -131,8 +131,8 @@ fn rewrite(fleet: &Path, from: &str, to: &str) {
 #[tokio::test]
 async fn files_of_a_newer_version_are_refused() {
     for (from, to) in [
-        ("\"version\":[1,0]", "\"version\":[2,0]"),
-        ("\"schema\":[1,0]", "\"schema\":[2,0]"),
+        ("\"version\":[1,1]", "\"version\":[2,0]"),
+        ("\"schema\":[1,1]", "\"schema\":[2,0]"),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let memory = memory(&folder.path().join("here"), &some(1));
