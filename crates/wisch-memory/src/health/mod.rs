@@ -19,6 +19,7 @@ mod group;
 mod median;
 mod report;
 mod slope;
+mod words;
 
 pub use assess::{FALSE_ALARM_RATE, FEWEST_EPISODES, NEW_CHANGE_RUNS, assess_groups};
 pub use cause::DriftCause;
@@ -28,6 +29,7 @@ pub use report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
     HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
 };
+pub use words::{ChannelWords, CourseWords, DescribedHealth, GroupWords, HealthWords};
 
 pub(crate) use cause::find_cause;
 pub(crate) use change::find_changes;
