@@ -2,7 +2,7 @@
 
 use crate::Outcome;
 use crate::args::{
-    CompactArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs,
+    CompactArgs, ForgetArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs,
 };
 use crate::clusters;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -289,6 +289,23 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
         true => Outcome::Done,
         false => Outcome::NotAsHoped,
     })
+}
+
+/// Removes episodes.
+pub async fn forget(args: &ForgetArgs) -> Result<Outcome, FleetError> {
+    let place = StorePlace::open(&args.url)?;
+    let forgotten = moves::forget(&place, &args.ids).await?;
+    let noun = match forgotten.episodes {
+        1 => "episode",
+        _ => "episodes",
+    };
+    let summary = format!(
+        "{}: {} {noun} removed from {} files of rows; wisch-fleet compact deletes the old files\n",
+        place.url(),
+        forgotten.episodes,
+        forgotten.files
+    );
+    print(&if args.json { json(&forgotten) } else { summary })
 }
 
 /// Compacts.
