@@ -50,6 +50,9 @@ Examples:
 Example:
   wisch-fleet pull s3://robots/fleet kitchen --since 2026-11-01 --where \"performance <= 0.8\"")]
     Pull(PullArgs),
+    /// Remove episodes from a fleet: their rows and their archives.
+    #[command(after_help = "Example:\n  wisch-fleet forget s3://robots/fleet 20261122-005612-3f2a")]
+    Forget(ForgetArgs),
     /// Merge small files into large ones, and delete objects that have long been unused.
     #[command(after_help = "Example:\n  wisch-fleet compact s3://robots/fleet --older-than 7d")]
     Compact(CompactArgs),
@@ -148,6 +151,19 @@ pub struct PullArgs {
     /// Episodes that meet this condition, in SQL over the table of episodes.
     #[arg(long = "where", value_name = "SQL")]
     pub condition: Option<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `forget`.
+#[derive(Debug, Args)]
+pub struct ForgetArgs {
+    /// The fleet.
+    pub url: String,
+    /// The episodes, by name.
+    #[arg(value_name = "ID", required = true)]
+    pub ids: Vec<String>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,

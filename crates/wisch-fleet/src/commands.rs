@@ -1,7 +1,9 @@
 //! Commands of the program.
 
 use crate::Outcome;
-use crate::args::{CompactArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs};
+use crate::args::{
+    CompactArgs, ForgetArgs, ListArgs, PullArgs, PushArgs, RetainArgs, SqlArgs, VerifyArgs,
+};
 use crate::clusters;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
@@ -11,7 +13,7 @@ use std::time::{Duration, Instant};
 use wisch_fleet::ask::{Form, LimitWatch, SqlLimits, SqlSession, SqlSource, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
 use wisch_fleet::store::{FleetError, StorePlace, now};
-use wisch_fleet::tables::TABLES;
+use wisch_fleet::tables::all_tables;
 use wisch_memory::Memory;
 
 /// Answers statements.
@@ -191,7 +193,7 @@ pub fn views(args: &ListArgs) -> Result<Outcome, FleetError> {
 /// Lists the tables and their columns.
 pub fn columns(args: &ListArgs) -> Result<Outcome, FleetError> {
     let mut text = String::new();
-    for table in &TABLES {
+    for table in all_tables() {
         if !args.json {
             text += &format!("{}: {}\n", table.name, table.about);
         }
@@ -287,6 +289,23 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
         true => Outcome::Done,
         false => Outcome::NotAsHoped,
     })
+}
+
+/// Removes episodes.
+pub async fn forget(args: &ForgetArgs) -> Result<Outcome, FleetError> {
+    let place = StorePlace::open(&args.url)?;
+    let forgotten = moves::forget(&place, &args.ids).await?;
+    let noun = match forgotten.episodes {
+        1 => "episode",
+        _ => "episodes",
+    };
+    let summary = format!(
+        "{}: {} {noun} removed from {} files of rows; wisch-fleet compact deletes the old files\n",
+        place.url(),
+        forgotten.episodes,
+        forgotten.files
+    );
+    print(&if args.json { json(&forgotten) } else { summary })
 }
 
 /// Compacts.

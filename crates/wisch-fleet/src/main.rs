@@ -60,6 +60,7 @@ async fn run(command: &FleetCommand) -> Result<Outcome, FleetError> {
         FleetCommand::Columns(args) => commands::columns(args),
         FleetCommand::Push(args) => commands::push(args).await,
         FleetCommand::Pull(args) => commands::pull(args).await,
+        FleetCommand::Forget(args) => commands::forget(args).await,
         FleetCommand::Compact(args) => commands::compact(args).await,
         FleetCommand::Retain(args) => commands::retain(args).await,
         FleetCommand::Verify(args) => commands::verify(args).await,

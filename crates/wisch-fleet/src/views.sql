@@ -67,6 +67,20 @@ FROM (
 ) AS lines
 WHERE last_n < 0.95 * first_n;
 
+-- Warnings of the memory while a robot wiped, with the deviation of the value from its band [N, m or 1], and how the round ended.
+CREATE VIEW warnings AS
+SELECT w.robot, w.day, w.episode, w.round, w.place, w.start_s AS time_s, r.tool, r.medium, r.surface, w.channel,
+       CASE w.channel WHEN 'contact force' THEN 'N' WHEN 'contact share' THEN '1' WHEN 'height' THEN 'm'
+                      WHEN 'tracking error' THEN 'm' END AS unit,
+       w.value, w.band_low, w.band_high,
+       CASE WHEN w.value > w.band_high THEN w.value - w.band_high
+            WHEN w.value < w.band_low THEN w.value - w.band_low
+            WHEN w.value BETWEEN w.band_low AND w.band_high THEN 0.0 END AS deviation,
+       w.p_value, w.alike_episodes, r.ending, r.verdict
+FROM events AS w
+JOIN rounds AS r ON w.episode = r.episode AND w.round = r.round
+WHERE w.class = 'MemoryWarning';
+
 -- Each pair of a collision and a stroke that overlap in time.
 CREATE VIEW collisions_in_strokes AS
 SELECT c.robot, c.day, c.episode, c.round, c.place AS collision, s.place AS stroke_place, s.stroke, c.tool, c.peak_force_n,

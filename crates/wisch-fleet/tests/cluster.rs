@@ -67,7 +67,8 @@ impl Sources {
 }
 
 /// Statements whose plan for a cluster differs from the plan for one machine.
-const STATEMENTS: [&str; 18] = [
+const STATEMENTS: [&str; 19] = [
+    "SELECT tool, surface, channel, state, runs, p_value, runs_to_limit FROM drift",
     "SELECT count(*) AS n FROM strokes",
     "SELECT tool, surface, count(*) AS n, min(performance) AS low, max(performance) AS high FROM rounds GROUP BY tool, surface",
     "SELECT e.task, r.round, count(*) AS n FROM episodes AS e JOIN rounds AS r ON e.episode = r.episode GROUP BY e.task, r.round",

@@ -3,6 +3,7 @@
 #[cfg(feature = "cluster")]
 mod cluster;
 mod documentation;
+mod health;
 mod memories;
 mod moves;
 #[cfg(feature = "cluster")]

@@ -26,7 +26,10 @@ async fn pushed_episodes_are_pulled_byte_for_byte() {
         .unwrap();
     assert_eq!((pulled.episodes, pulled.of), (30, 30));
     assert_eq!(contents(&memory), contents(&there));
-    assert!(there.verify().unwrap().is_empty());
+    // Synthetic episodes lack telemetry of most rounds, which is no fault of a copy.
+    for id in there.episodes().unwrap() {
+        assert!(there.episode(&id).unwrap().faults().is_empty(), "{id}");
+    }
     let again = pull(&fleet, &there, &Filter::default(), &mut quiet())
         .await
         .unwrap();

@@ -192,7 +192,7 @@ fn a_statement_beyond_a_limit_is_an_error_with_the_limit() {
     let endless = "SELECT count(*) FROM generate_series(1, 1000000000) a CROSS JOIN generate_series(1, 1000000) b";
     let rows = [
         (deep.as_str(), &[][..], "at most 1000"),
-        (endless, &["--timeout", "2"], "longer than 2 s"),
+        (endless, &["--timeout", "2"], "longer than the limit of 2 s"),
         ("SELECT * FROM generate_series(1, 100000000)", &[], "256 MB"),
         (
             "SELECT repeat('x', 1000000000)",

@@ -108,7 +108,7 @@ alike(A, B) :- nonvar(A), nonvar(B), \+ number(A), same(A, B).
 
 may_name(Term) :- ( atom(Term) -> true ; nonvar(Term), Term = Prefix:Local, atom(Prefix), atom(Local) ).
 
-has_prefix(Term) :- ( atom(Term) -> sub_atom(Term, _, 1, _, ':') ; true ), !.
+has_prefix(Term) :- ( atom(Term) -> has_colon(Term) ; true ), !.
 
 thing_named(Term, Name) :- catch(known(thing, Term, Name), Error, ( Error = unknown(_, _, _) -> fail ; throw(Error) )).
 

@@ -71,8 +71,10 @@ full_names(Term, Full) :- Term =.. [F|As], full_names_of(As, Bs), Full =.. [F|Bs
 full_names_of([], []).
 full_names_of([A|As], [B|Bs]) :- full_names(A, B), full_names_of(As, Bs).
 
-% Class_episode-place
-is_individual_like(Atom) :- once(( sub_atom(Atom, B, 1, _, '_'), sub_atom(Atom, A, 1, _, -), A > B )).
+% Class_episode-place. Long texts are frequent, so each character is read once.
+is_individual_like(Atom) :- atom_chars(Atom, Cs), once(append(_, ['_'|After], Cs)), memberchk(-, After).
+
+has_colon(Atom) :- atom_chars(Atom, Cs), memberchk(:, Cs).
 
 % groups(+Values, -Groups): values in terms with few arguments, because systems limit the number of arguments.
 groups([], []) :- !.

@@ -54,6 +54,7 @@ triple(S, P, O) :- property(P, Name), stated_terms(S, Name, O).
 
 stated_terms(S, 'rdf:type', C) :- !, instance_of(S, C).
 stated_terms(S, 'rdfs:subClassOf', C) :- !, subclass_of(S, C).
+stated_terms(S, Name, O) :- annotation(Name), !, thing(S, S1), exactly(S1, Name, O).
 stated_terms(S, Name, O) :- thing(S, S1), object(O, O1), stated(S1, Name, O1).
 
 holds(S, P, O) :- triple(S, P, O).
@@ -80,7 +81,8 @@ inverse_of('dul:isExecutedIn', 'dul:executesTask').
 inverse_of('dul:classifies', 'dul:isClassifiedBy').
 
 exactly(S, 'dul:hasConstituent', O) :- !, part(S, O).
-exactly(S, Exact, O) :- ( var(O) -> true ; atom(O), sub_atom(O, _, 1, _, ':') ), relation(S, Exact, O).
+exactly(S, Exact, O) :- annotation(Exact), !, value(S, Exact, O).
+exactly(S, Exact, O) :- ( var(O) -> true ; atom(O), has_colon(O) ), relation(S, Exact, O).
 exactly(S, Exact, O) :- ( var(O) -> true ; number(O) -> true ; atom(O) ), same_value(S, Exact, O).
 
 % A number in a query need not have the stored form: 1 matches 1.0.
@@ -103,7 +105,7 @@ linked_things(S, P, O) :- relation(S, P, O).
 
 is_class(C) :- is_name(C), catch(known(class, C, _), unknown(_, _, _), fail).
 
-is_name(Term) :- atom(Term), sub_atom(Term, _, 1, _, ':').
+is_name(Term) :- atom(Term), has_colon(Term).
 
 reached(Name, S, O) :- nonvar(S), !, reach(Name, [S], [], O).
 reached(Name, S, O) :- nonvar(O), !, reach_back(Name, [O], [], S).
@@ -122,6 +124,10 @@ reach_back(Name, [O|Rest], Seen, S) :-
     append(Seen, Xs, Seen1),
     append(Rest, Xs, Next),
     ( member(S, Xs) ; reach_back(Name, Next, Seen1, S) ).
+
+% Their values are texts, also where something has the same name.
+annotation('rdfs:label').
+annotation('rdfs:comment').
 
 % has_data_value(?I, +Condition): conditions such as performance =< 0.8, performance(V), or hasForceValue = F.
 has_data_value(I, Condition) :-
@@ -169,17 +175,31 @@ action_status(Action, Status) :- triple(Action, soma:hasExecutionState, Status).
 action_succeeded(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Succeeded').
 action_failed(Action) :- triple(Action, soma:hasExecutionState, soma:'ExecutionState_Failed').
 
-% tell(+Statement): stores a statement holds(S, P, O), or a list of statements, if the whole query succeeds.
+% tell(+Statement): stores a statement holds(S, P, O), a new individual has_type(I, Class), or a list of them, if the
+% whole query succeeds.
 tell(Statement) :- \+ ground(Statement), !, unknown_yet('every part of the statement of tell').
 tell([]) :- !.
 tell([S|Ss]) :- !, tell(S), tell(Ss).
-tell(holds(S, P, O)) :- !, known(thing, S, S1), known(property, P, P1), tellable(P1), object(O, O1), told(S1, P1, O1).
+tell(holds(S, P, O)) :- !, known(property, P, P1), tell_property(P1, S, O).
 tell(triple(S, P, O)) :- !, tell(holds(S, P, O)).
-tell(has_type(_, _)) :- throw(untold('rdf:type')).
+tell(has_type(I, Class)) :- !, tell_property('rdf:type', I, Class).
 tell(Statement) :- throw(error(domain_error(statement, Statement), tell)).
 
+tell_property('rdf:type', I, Class) :- !,
+    known(class, Class, Name),
+    need(introduce(I, Name), Facts),
+    store(Facts),
+    % Earlier members do not include it.
+    retractall(loaded(members(Name))),
+    retractall(c(Name, _)).
+tell_property(P, S, O) :-
+    known(thing, S, S1),
+    tellable(P),
+    ( annotation(P) -> O1 = O ; object(O, O1) ),
+    told(S1, P, O1).
+
 % The episodes fix these properties, so statements cannot change them.
-tellable(P) :- ( member(P, ['rdf:type', 'rdfs:subClassOf', 'dul:hasConstituent', 'dul:isConstituentOf']) -> throw(untold(P)) ; true ).
+tellable(P) :- ( member(P, ['rdfs:subClassOf', 'dul:hasConstituent', 'dul:isConstituentOf']) -> throw(untold(P)) ; true ).
 
 told(S, P, O) :-
     ( exactly(S, P, O) -> true

@@ -27,7 +27,7 @@ predicate(is_classified_by, 2, 'is_classified_by(Event, Concept): Concept classi
 predicate(action_status, 2, 'action_status(Action, State): final state of Action').
 predicate(action_succeeded, 1, 'action_succeeded(Action): Action met its goal').
 predicate(action_failed, 1, 'action_failed(Action): Action did not meet its goal').
-predicate(tell, 1, 'tell(holds(S, P, O)): stores a statement in this memory, if the whole query succeeds').
+predicate(tell, 1, 'tell(holds(S, P, O)): stores a statement in this memory, if the whole query succeeds; P may be rdfs:label or rdfs:comment; tell(has_type(I, Class)) adds an individual').
 predicate(occurs, 1, 'occurs(Event): Event has a time').
 predicate(occurs, 2, 'occurs(Event, [S, E]): Event lasts from S to E [s since 1970]').
 predicate(event_interval, 3, 'event_interval(Event, S, E): the same as occurs/2').

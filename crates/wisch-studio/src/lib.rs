@@ -13,6 +13,7 @@
 //! | `POST api/runs` | starts a run of `{task, seed?, strategy?}` |
 //! | `POST api/runs/ID/stop`, `…/clear` | stops a run; removes the files of a run that broke off |
 //! | `POST api/ask` | the answers to `{query, limit?}` and the data to show, or an error and its place |
+//! | `GET api/health` | the JSON of `wisch memory health` |
 //! | `GET api/vocabulary` | names that queries may use |
 
 mod arguments;

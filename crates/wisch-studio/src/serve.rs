@@ -31,6 +31,7 @@ use std::time::Duration;
 use tempfile::TempPath;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, watch};
+use wisch_memory::health::{DescribedHealth, assess_groups, gather_groups};
 use wisch_memory::{Memory, MemoryError, live_path};
 
 /// Largest number of simultaneous event streams.
@@ -222,6 +223,7 @@ fn router(gate: Arc<Gate>, state: Arc<ServerState>) -> Router {
         .route(&at("api/runs/{id}/clear"), post(clear_run))
         .route(&at("api/ask"), post(ask))
         .route(&at("api/vocabulary"), get(words))
+        .route(&at("api/health"), get(health))
         .fallback(|| async { StatusCode::NOT_FOUND })
         .with_state(state)
         .layer(middleware::from_fn_with_state(gate, pass))
@@ -394,6 +396,15 @@ async fn ask(
 
 async fn words() -> Answer {
     Ok(Json(vocabulary()).into_response())
+}
+
+/// Answers with the JSON of `wisch memory health`.
+async fn health(State(state): State<Arc<ServerState>>) -> Answer {
+    let assessed = tokio::task::spawn_blocking(move || -> Result<DescribedHealth, Refusal> {
+        let groups = gather_groups(&*state.library.catalogue()?);
+        Ok(assess_groups(&groups).into())
+    });
+    Ok(Json(assessed.await??).into_response())
 }
 
 fn unreadable(rejection: JsonRejection) -> Refusal {

@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 use wisch_memory::Ontology;
-use wisch_memory::ask::{builtins, predicates};
+use wisch_memory::ask::{ANNOTATIONS, builtins, predicates};
 use wisch_memory::ontology::TermKind;
 
 /// Example queries: the question, and the query.
-pub const EXAMPLES: [(&str, &str); 10] = [
+pub const EXAMPLES: [(&str, &str); 11] = [
     (
         "The paper's Fig. 20: where was the sponge during each collision, and the robot in the middle of it?",
         "owl_individual_of(C, semco:'Collision'), occurs(C, [S, E]), M is 0.5*(S+E),\n\
@@ -50,6 +50,10 @@ pub const EXAMPLES: [(&str, &str); 10] = [
         "How long was the longest contact of the last episode?",
         "last_episode(Episode, _), longest_contact(Episode, C, Seconds), show(C)",
     ),
+    (
+        "Which notes did people add?",
+        "holds(Thing, rdfs:comment, Note)",
+    ),
 ];
 
 /// Returns the whole vocabulary.
@@ -61,6 +65,11 @@ pub fn vocabulary() -> Value {
             .map(|(name, term)| json!({ "name": name, "label": term.label, "comment": term.comment }))
             .collect::<Vec<_>>()
     };
+    let mut properties = terms(TermKind::is_property);
+    let annotations = ANNOTATIONS.iter();
+    properties.extend(
+        annotations.map(|(name, comment)| json!({ "name": name, "label": "", "comment": comment })),
+    );
     let predicates = predicates().into_iter().map(|predicate| {
         json!({
             "name": predicate.name,
@@ -74,7 +83,7 @@ pub fn vocabulary() -> Value {
         "predicates": predicates.collect::<Vec<_>>(),
         "builtins": builtins(),
         "classes": terms(|kind| kind == TermKind::Class),
-        "properties": terms(TermKind::is_property),
+        "properties": properties,
         "individuals": terms(|kind| kind == TermKind::Individual),
         "examples": examples.collect::<Vec<_>>(),
     })

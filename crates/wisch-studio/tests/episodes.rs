@@ -3,6 +3,7 @@
 use crate::place::{ID, OTHER, Place, packed};
 use serde_json::json;
 use std::fs;
+use wisch_memory::health::{DescribedHealth, assess_groups, gather_groups};
 
 const LINES: &str =
     "{\"piece\":\"head\",\"title\":\"board\"}\n{\"piece\":\"ended\",\"met\":true}\n";
@@ -162,4 +163,20 @@ fn no_path_leads_out_of_the_memory() {
     }
     assert!(place.folder.path().join("secret.jsonl").is_file());
     assert!(place.live().join(".hidden.jsonl").is_file());
+}
+
+#[test]
+fn the_health_is_the_json_of_the_command() {
+    let place = Place::new();
+    let empty = place.get("api/health").json();
+    let none = "the memory has no rounds; wisch run adds an episode";
+    assert_eq!(empty["words"]["summary"], none);
+    for run in 0..14 {
+        place.keep_round(run, -4e-4 * f64::from(run));
+    }
+    let groups = gather_groups(&place.memory().catalogue().unwrap());
+    let expected = DescribedHealth::from(assess_groups(&groups));
+    assert!(expected.report.needs_attention);
+    let expected = serde_json::to_value(expected).unwrap();
+    assert_eq!(place.get("api/health").json(), expected);
 }

@@ -137,6 +137,18 @@ impl Place {
     }
 
     /// Stores an episode with a recording.
+    /// Keeps an episode of a day with a first round, and the offset of its surface \[m\].
+    pub fn keep_round(&self, day: u32, offset: f64) {
+        let mut record = record(&format!("day{day:02}"));
+        record.interval = [0.0, 10.0].map(|time| 1.79e9 + 86_400.0 * f64::from(day) + time);
+        let numbers = [("semco:round", 1.0), ("semco:planeOffset", offset)];
+        record.individuals[2].values = numbers
+            .map(|(name, value)| (name.to_owned(), Value::Number(value)))
+            .into();
+        let writer = self.memory().begin(&record.id).unwrap();
+        writer.commit(&record).unwrap();
+    }
+
     pub fn keep(&self, id: &str, recording: Option<&[u8]>) {
         keep(&self.memory(), id, recording);
     }

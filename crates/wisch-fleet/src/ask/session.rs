@@ -6,11 +6,12 @@ use super::views;
 #[cfg(feature = "cluster")]
 use crate::cluster::{Address, on_cluster};
 use crate::store::{FleetError, Snapshot, StorePlace};
-use crate::tables::{TABLES, Table};
+use crate::tables::drift::{FIRST_ROUNDS, assess};
+use crate::tables::{DRIFT, TABLES, Table};
 use datafusion::arrow::array::{RecordBatch, StringArray};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Field, Schema, SchemaRef};
-use datafusion::common::TableReference;
+use datafusion::common::{DataFusionError, TableReference};
 use datafusion::dataframe::DataFrame;
 use datafusion::datasource::MemTable;
 use datafusion::execution::object_store::ObjectStoreUrl;
@@ -20,6 +21,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::thread;
 use tempfile::TempDir;
+use tokio::sync::OnceCell;
 
 /// A side of a join estimated below this size is kept in one piece [bytes, rows].
 const BUILT_AT_ONCE: usize = 512 << 20;
@@ -54,6 +56,8 @@ pub struct SqlSession {
     spill: TempDir,
     /// Number of episodes in more than one source; the first source is used.
     shared: usize,
+    /// Whether the table `drift` has its rows.
+    drift: OnceCell<()>,
     #[cfg(feature = "cluster")]
     cluster: Option<Address>,
 }
@@ -142,6 +146,7 @@ impl SqlSession {
             limits,
             spill,
             shared: 0,
+            drift: OnceCell::new(),
             #[cfg(feature = "cluster")]
             cluster: None,
         };
@@ -149,6 +154,7 @@ impl SqlSession {
             session.add(number, source)?;
         }
         session.unite(sources.len()).await?;
+        session.set_drift(Vec::new())?;
         for view in views::all() {
             session.context.sql(view.statement).await?;
         }
@@ -233,6 +239,39 @@ impl SqlSession {
         with_name(&rows, "id")
     }
 
+    /// Sets the rows of the table `drift`.
+    fn set_drift(&self, rows: Vec<RecordBatch>) -> Result<(), FleetError> {
+        let schema = self.texts.schema(&DRIFT);
+        let cast = |batch: &RecordBatch| {
+            let columns = batch.columns().iter().zip(schema.fields());
+            let columns = columns.map(|(column, field)| cast(column, field.data_type()));
+            RecordBatch::try_new(Arc::clone(&schema), columns.collect::<Result<_, _>>()?)
+        };
+        let rows: Result<Vec<RecordBatch>, _> = rows.iter().map(cast).collect();
+        let rows = rows.map_err(DataFusionError::from)?;
+        let table = MemTable::try_new(Arc::clone(&schema), vec![rows])?;
+        self.context.deregister_table(DRIFT.name)?;
+        self.context.register_table(DRIFT.name, Arc::new(table))?;
+        Ok(())
+    }
+
+    /// Assesses the first rounds of all sources. They do not change during the session.
+    async fn fill_drift(&self) -> Result<(), FleetError> {
+        let first_rounds = self.context.sql(FIRST_ROUNDS).await?.collect().await?;
+        self.set_drift(vec![assess(&first_rounds)?])
+    }
+
+    /// Whether a statement names the table `drift`. A statement that cannot be parsed does not.
+    fn names_drift(&self, sql: &str) -> bool {
+        let state = self.context.state();
+        let dialect = state.config_options().sql_parser.dialect;
+        let Ok(statement) = state.sql_to_statement(sql, &dialect) else {
+            return false;
+        };
+        let tables = state.resolve_table_references(&statement);
+        tables.is_ok_and(|tables| tables.iter().any(|table| table.table() == DRIFT.name))
+    }
+
     /// Number of episodes in more than one source.
     pub fn shared(&self) -> usize {
         self.shared
@@ -258,6 +297,9 @@ impl SqlSession {
     /// If the statement is invalid, too deep, or would change something.
     pub async fn plan(&self, sql: &str) -> Result<DataFrame, FleetError> {
         check(sql)?;
+        if self.names_drift(sql) {
+            self.drift.get_or_try_init(|| self.fill_drift()).await?;
+        }
         let reads = SQLOptions::new()
             .with_allow_ddl(false)
             .with_allow_dml(false)
@@ -287,14 +329,13 @@ fn with_name(batches: &[RecordBatch], name: &str) -> Result<Vec<RecordBatch>, Fl
         let schema = Schema::new(vec![Field::new(name, DataType::Utf8, true)]);
         Ok(RecordBatch::try_new(Arc::new(schema), vec![texts])?)
     });
-    let renamed: Result<Vec<RecordBatch>, datafusion::error::DataFusionError> = renamed.collect();
+    let renamed: Result<Vec<RecordBatch>, DataFusionError> = renamed.collect();
     let mut renamed = renamed?;
     if renamed.is_empty() {
         let schema = Schema::new(vec![Field::new(name, DataType::Utf8, true)]);
         let none = Arc::new(StringArray::new_null(0));
         renamed.push(
-            RecordBatch::try_new(Arc::new(schema), vec![none])
-                .map_err(datafusion::error::DataFusionError::from)?,
+            RecordBatch::try_new(Arc::new(schema), vec![none]).map_err(DataFusionError::from)?,
         );
     }
     Ok(renamed)

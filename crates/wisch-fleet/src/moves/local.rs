@@ -5,6 +5,7 @@ use super::batch::{Grouping, Incoming, write, write_telemetry};
 use super::known::Known;
 use crate::ask::SqlSource;
 use crate::store::{Commit, Committed, FleetError, Snapshot, StorePlace};
+use crate::tables::file::VERSION;
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -76,7 +77,7 @@ fn is_writable(folder: &Path) -> bool {
     fs::create_dir_all(folder).is_ok() && tempfile::tempfile_in(folder).is_ok()
 }
 
-/// Adds the rows of new episodes; starts anew if an episode was deleted or replaced.
+/// Adds the rows of new episodes; starts anew if an episode was deleted or replaced, or an earlier version wrote rows.
 async fn up_to_date(
     memory: &Memory,
     folder: &Path,
@@ -91,7 +92,9 @@ async fn up_to_date(
     };
     let ids = memory.episodes()?;
     let there: HashSet<&str> = ids.iter().map(String::as_str).collect();
-    let mut stale = known.names().any(|id| !there.contains(id));
+    // Rows by an earlier version lack columns.
+    let mut stale = snapshot.files.values().any(|file| file.schema < VERSION)
+        || known.names().any(|id| !there.contains(id));
     for id in &ids {
         stale = stale
             || known

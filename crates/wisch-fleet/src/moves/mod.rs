@@ -1,6 +1,7 @@
 //! Transfer of episodes into and out of a fleet, and maintenance of a fleet.
 
 pub mod batch;
+mod forget;
 mod known;
 mod local;
 mod pull;
@@ -8,6 +9,7 @@ mod push;
 mod upkeep;
 mod verify;
 
+pub use forget::{Forgotten, forget};
 pub use local::{Local, Part, local};
 pub use pull::{Filter, Pulled, pull};
 pub use push::{PushOptions, Pushed, push};

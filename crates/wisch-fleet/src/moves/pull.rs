@@ -61,9 +61,7 @@ impl Filter {
     /// Returns the SQL statement of the selection.
     fn statement(&self) -> String {
         let quoted = |names: &[String]| {
-            let quoted = names
-                .iter()
-                .map(|name| format!("'{}'", name.replace('\'', "''")));
+            let quoted = names.iter().map(|name| quote(name));
             quoted.collect::<Vec<_>>().join(", ")
         };
         let mut all = Vec::new();
@@ -142,6 +140,11 @@ pub async fn pull(
     }
     report(selected.len(), selected.len());
     Ok(pulled)
+}
+
+/// Returns a text of SQL.
+pub(super) fn quote(text: &str) -> String {
+    format!("'{}'", text.replace('\'', "''"))
 }
 
 fn parse_rows(batch: &RecordBatch) -> Result<Vec<Kept>, FleetError> {

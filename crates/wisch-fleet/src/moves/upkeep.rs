@@ -126,6 +126,29 @@ async fn merge(
     table: &Table,
     group: &[FileEntry],
 ) -> Result<Option<FileEntry>, FleetError> {
+    let file = write_rows(place, snapshot, table, group, "TRUE").await?;
+    let rows = file.as_ref().map_or(0, |file| file.rows);
+    let expected: u64 = group.iter().map(|file| file.rows).sum();
+    if file.is_some() && rows != expected {
+        return Err(FleetError::Damaged {
+            object: place.shown(&format!("tables/{}", table.name)),
+            what: format!(
+                "{} files have {rows} rows, but {expected} were written",
+                group.len()
+            ),
+        });
+    }
+    Ok(file)
+}
+
+/// Writes the rows of some files that meet a condition in SQL as one file; `None` if no row meets it.
+pub(super) async fn write_rows(
+    place: &StorePlace,
+    snapshot: &Snapshot,
+    table: &Table,
+    group: &[FileEntry],
+    condition: &str,
+) -> Result<Option<FileEntry>, FleetError> {
     let files = group.iter().map(|file| (file.path.clone(), file.clone()));
     let only = Snapshot {
         files: files.collect(),
@@ -144,23 +167,12 @@ async fn merge(
         "start_s"
     };
     let sorted = format!(
-        "SELECT * FROM {} ORDER BY robot, day, episode, {within}",
+        "SELECT * FROM {} WHERE {condition} ORDER BY robot, day, episode, {within}",
         table.name
     );
     let batches = session.rows(&sorted).await?;
-    let rows: u64 = batches.iter().map(|batch| batch.num_rows() as u64).sum();
-    if batches.is_empty() {
+    if batches.iter().all(|batch| batch.num_rows() == 0) {
         return Ok(None);
-    }
-    let expected: u64 = group.iter().map(|file| file.rows).sum();
-    if rows != expected {
-        return Err(FleetError::Damaged {
-            object: place.shown(&format!("tables/{}", table.name)),
-            what: format!(
-                "{} files have {rows} rows, but {expected} were written",
-                group.len()
-            ),
-        });
     }
     let schema = table.schema();
     let plain: Result<Vec<RecordBatch>, _> = (batches.iter())

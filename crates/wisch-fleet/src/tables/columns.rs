@@ -93,7 +93,7 @@ pub fn table(name: &str) -> Option<&'static Table> {
     TABLES.iter().find(|table| table.name == name)
 }
 
-const fn column(
+pub(super) const fn column(
     name: &'static str,
     kind: ColumnKind,
     unit: &'static str,
@@ -107,7 +107,7 @@ const fn column(
     }
 }
 
-const ROBOT: Column = column(
+pub(super) const ROBOT: Column = column(
     "robot",
     ColumnKind::Text,
     "–",
@@ -140,14 +140,15 @@ const CLASS: Column = column(
 );
 const START: Column = column("start_s", ColumnKind::Number, "s", "start, since 1970 UTC");
 const END: Column = column("end_s", ColumnKind::Number, "s", "end, since 1970 UTC");
-const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool that was used");
-const MEDIUM: Column = column(
+pub(super) const TOOL: Column = column("tool", ColumnKind::Text, "–", "tool that was used");
+pub(super) const MEDIUM: Column = column(
     "medium",
     ColumnKind::Text,
     "–",
     "medium to be removed or dispensed",
 );
-const SURFACE: Column = column("surface", ColumnKind::Text, "–", "surface that was wiped");
+pub(super) const SURFACE: Column =
+    column("surface", ColumnKind::Text, "–", "surface that was wiped");
 const PREDICTED: Column = column(
     "predicted_performance",
     ColumnKind::Number,
@@ -184,17 +185,20 @@ const SUCCEEDED: Column = column(
     "–",
     "whether the goal counted as met",
 );
-const CONTACT_SHARE: Column = column(
-    "contact_share",
-    ColumnKind::Number,
-    "1",
-    "share of the wiping time in contact",
-);
+const fn contact_share(about: &'static str) -> Column {
+    column("contact_share", ColumnKind::Number, "1", about)
+}
 const MEAN_FORCE: Column = column(
     "mean_normal_force_n",
     ColumnKind::Number,
     "N",
     "mean force along the outward normal of the surface during contact, weighted by time; negative where the tool presses",
+);
+pub(super) const PRESS_FORCE: Column = column(
+    "press_force_n",
+    ColumnKind::Number,
+    "N",
+    "force with which the tool was to press",
 );
 const PEAK_FORCE: Column = column(
     "peak_force_n",
@@ -203,7 +207,7 @@ const PEAK_FORCE: Column = column(
     "largest norm of the external force on the tool",
 );
 
-/// All tables. Columns are added at the end only; the meaning of a column changes only with a new major version.
+/// Stored tables. Columns are added at the end only; the meaning of a column changes only with a new major version.
 pub const TABLES: [Table; 7] = [
     Table {
         name: "episodes",
@@ -320,7 +324,7 @@ pub const TABLES: [Table; 7] = [
             PERFORMANCE_LOW,
             PERFORMANCE_HIGH,
             TRUE_PERFORMANCE,
-            CONTACT_SHARE,
+            contact_share("time in contact over the time on or near the surface"),
             MEAN_FORCE,
             column(
                 "force_bias_n",
@@ -354,6 +358,13 @@ pub const TABLES: [Table; 7] = [
             ),
             column("ending", ColumnKind::Text, "–", "how its execution ended"),
             SUCCEEDED,
+            PRESS_FORCE,
+            column(
+                "tool_stiffness_n_per_m",
+                ColumnKind::Number,
+                "N/m",
+                "estimated stiffness of the tool",
+            ),
         ],
     },
     Table {
@@ -375,7 +386,7 @@ pub const TABLES: [Table; 7] = [
             END,
             TOOL,
             SURFACE,
-            CONTACT_SHARE,
+            contact_share("share of the stroke's duration in contact"),
             MEAN_FORCE,
             PEAK_FORCE,
         ],
@@ -424,6 +435,42 @@ pub const TABLES: [Table; 7] = [
                 ColumnKind::Number,
                 "m",
                 "distance from the surface's edge at its start",
+            ),
+            column(
+                "channel",
+                ColumnKind::Text,
+                "–",
+                "of a memory warning: quantity that deviates, such as `contact force`; null for other events",
+            ),
+            column(
+                "value",
+                ColumnKind::Number,
+                "N, m or 1",
+                "of a memory warning: value of the channel",
+            ),
+            column(
+                "band_low",
+                ColumnKind::Number,
+                "N, m or 1",
+                "lower end of the band that earlier episodes predict",
+            ),
+            column(
+                "band_high",
+                ColumnKind::Number,
+                "N, m or 1",
+                "upper end of that band",
+            ),
+            column(
+                "p_value",
+                ColumnKind::Number,
+                "1",
+                "share of episodes that deviate at least as much",
+            ),
+            column(
+                "alike_episodes",
+                ColumnKind::Text,
+                "–",
+                "names of the most alike earlier episodes, separated by spaces",
             ),
         ],
     },

@@ -12,7 +12,7 @@ use parquet::schema::types::ColumnPath;
 
 /// Version of the files: major and minor. A new column needs a new minor version; a change that an older program would
 /// misread needs a new major version.
-pub const VERSION: [u32; 2] = [1, 0];
+pub const VERSION: [u32; 2] = [1, 1];
 
 /// Key of a file's version.
 pub const VERSION_KEY: &str = "wisch.fleet";

@@ -5,7 +5,7 @@ use super::rows::{Cell, Rows};
 use super::telemetry;
 use wisch_memory::{Episode, EpisodeRecord, Individual, MemoryError, Origin, Value};
 
-const UNKNOWN_ROBOT: &str = "unknown";
+pub(super) const UNKNOWN_ROBOT: &str = "unknown";
 const SECONDS_PER_DAY: f64 = 86_400.0;
 const MOTIONS: [&str; 5] = ["Approach", "Stroke", "Transfer", "Drive", "Retreat"];
 const COLLISIONS: [&str; 2] = ["Collision", "HumanCollision"];
@@ -278,7 +278,7 @@ impl<'a> Part<'a> {
         Cell::Text(self.whose().and_then(|one| related(one, name)))
     }
 
-    fn round(&self) -> [Cell<'a>; 25] {
+    fn round(&self) -> [Cell<'a>; 27] {
         let [robot, day, episode] = self.about.head();
         let [start, end] = self.times();
         [
@@ -307,6 +307,8 @@ impl<'a> Part<'a> {
             self.text("semco:diagnosis"),
             self.text("semco:ending"),
             Cell::Truth(succeeded(self.one)),
+            self.number("semco:pressForce"),
+            self.number("semco:toolStiffness"),
         ]
     }
 
@@ -345,7 +347,7 @@ impl<'a> Part<'a> {
         ]
     }
 
-    fn event(&self) -> [Cell<'a>; 16] {
+    fn event(&self) -> [Cell<'a>; 22] {
         let [robot, day, episode] = self.about.head();
         let [start, end] = self.times();
         let all = &self.about.record.individuals;
@@ -371,6 +373,12 @@ impl<'a> Part<'a> {
             self.number("semco:peakForce"),
             self.number("semco:peakHeight"),
             self.number("semco:edgeDistance"),
+            self.text("semco:warningChannel"),
+            self.number("semco:warningValue"),
+            self.number("semco:bandLow"),
+            self.number("semco:bandHigh"),
+            self.number("semco:pValue"),
+            self.text("semco:alikeEpisodes"),
         ]
     }
 

@@ -124,7 +124,9 @@ impl QueryFault {
             Some(("telemetry", [what])) => Self::Telemetry { what: text(what) },
             Some(("prolog", [what])) => Self::Prolog { what: text(what) },
             Some(("untold", [property])) => Self::Prolog {
-                what: format!("tell cannot change {property}: the episodes fix classes and parts"),
+                what: format!(
+                    "tell cannot change {property}: the ontology fixes classes, and the episodes fix parts"
+                ),
             },
             Some(("unknown_predicate", [Term::Atom(name), Term::Integer(arity)])) => {
                 Self::unknown_predicate(name, *arity, callable)

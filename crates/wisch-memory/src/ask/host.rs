@@ -1,6 +1,6 @@
 //! Answers to the engine's requests, from catalogue, ontology and telemetry.
 
-use super::assertions::Assertions;
+use super::assertions::{Assertions, TYPE};
 use super::error::{AskError, QueryFault};
 use super::facts::{SentFacts, list_facts};
 use super::intervals::{IntervalIndex, Relation};
@@ -62,9 +62,13 @@ impl Host {
         max_assertions: usize,
     ) -> Self {
         assertions.retain_known(&catalogue);
+        let mut names = Names::new(Arc::clone(&catalogue), Ontology::load());
+        for (name, class) in assertions.individuals() {
+            names.add_individual(name, class);
+        }
         Self {
             known: Knowledge {
-                names: Names::new(Arc::clone(&catalogue), Ontology::load()),
+                names,
                 catalogue,
                 assertions,
             },
@@ -117,7 +121,13 @@ impl Host {
 
     /// Discards the query's statements. Returns whether the engine knows any of them.
     pub fn roll_back_assertions(&mut self) -> bool {
-        self.known.assertions.roll_back()
+        let discarded = self.known.assertions.roll_back();
+        for (name, property, _) in &discarded {
+            if property == TYPE {
+                self.known.names.remove_individual(name);
+            }
+        }
+        !discarded.is_empty()
     }
 
     /// Resets the host for a new engine without facts.
@@ -318,12 +328,24 @@ impl Host {
                 facts.push(assertions.add(subject, property, object, self.max_assertions)?);
                 facts
             }
+            ("introduce", [name, Term::Atom(class)]) => self.introduce(name, class)?,
             _ => match self.stream(request)? {
                 Some(rows) => return Ok(Reply::Stream(rows)),
                 None => self.telemetry.rows(&self.known.catalogue, request)?,
             },
         };
         Ok(Reply::Facts(facts))
+    }
+
+    /// Adds an individual of a class, and returns it as a fact; no fact if it is known and of this class.
+    fn introduce(&mut self, name: &Term, class: &str) -> Result<Vec<Term>, QueryFault> {
+        let Some(name) = self.known.names.check_new_individual(name, class)? else {
+            return Ok(Vec::new());
+        };
+        let assertions = &mut self.known.assertions;
+        assertions.add_individual(&name, class, self.max_assertions)?;
+        self.known.names.add_individual(&name, class);
+        Ok(self.sent.individual(&self.known, &name))
     }
 
     /// Returns the rows of a streaming request; `None` for other requests.

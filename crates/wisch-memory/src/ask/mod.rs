@@ -24,7 +24,7 @@ mod term;
 mod trends;
 mod units;
 
-pub use assertions::Assertions;
+pub use assertions::{ANNOTATIONS, Assertions};
 pub use engine::{AskLimits, EngineCommand, command_ended_with_parent};
 pub use error::{AskError, QueryFault};
 pub use listing::{Predicate, builtins, predicates};

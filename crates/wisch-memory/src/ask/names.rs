@@ -4,6 +4,7 @@ use super::error::QueryFault;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId};
 use crate::ontology::{Ontology, TermKind};
+use crate::statements::individual_of;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use wisch::source_location::UnknownName;
@@ -12,7 +13,9 @@ use wisch::source_location::UnknownName;
 /// find it.
 const CLASSIFIED: [(&str, &str); 1] = [("soma:Collision", "semco:Collision")];
 /// Properties that the catalogue stores in other ways.
-const STRUCTURAL: [&str; 8] = [
+const STRUCTURAL: [&str; 10] = [
+    "rdfs:label",
+    "rdfs:comment",
     "rdf:type",
     "rdfs:subClassOf",
     "dul:hasConstituent",
@@ -22,6 +25,10 @@ const STRUCTURAL: [&str; 8] = [
     "dul:classifies",
     "dul:hasParticipant",
 ];
+/// Class of all events, whose individuals need a time.
+const EVENT: &str = "dul:Event";
+/// Largest number of characters of the name of an added individual.
+const LONGEST_NAME: usize = 100;
 /// Relations that imply the class of a shared thing that the ontology does not know.
 const CLASS_BY_RELATION: [(&str, &str); 4] = [
     ("semco:usesTool", "semco:WipingTool"),
@@ -161,6 +168,85 @@ impl Names {
             (Some(name), _) if kind == "property" => Ok((*name).to_owned()),
             (_, found) => found.map(str::to_owned),
         }
+    }
+
+    /// Returns the full name of an individual that a query adds; `None` if it is known and of this class.
+    ///
+    /// # Errors
+    /// If it is known and of another class, the class is one of events, or the name is not a possible one.
+    pub fn check_new_individual(
+        &self,
+        term: &Term,
+        class: &str,
+    ) -> Result<Option<String>, QueryFault> {
+        let refuse = |what: String| Err(QueryFault::Prolog { what });
+        if let Ok(name) = self.resolve("thing", term) {
+            let own = match self.individual(&name) {
+                Some(id) => Some(self.catalogue.class(id).to_owned()),
+                None => self.class_of_shared(&name),
+            };
+            return match own {
+                Some(own) if or_itself(&own, self.ontology.superclasses(&own)).contains(&class) => {
+                    Ok(None)
+                }
+                Some(own) => refuse(format!(
+                    "{name} is a {own}, and tell cannot make it a {class}; choose another name"
+                )),
+                None => refuse(format!(
+                    "{name} is a class or a property of the ontology; choose another name"
+                )),
+            };
+        }
+        if or_itself(class, self.ontology.superclasses(class)).contains(&EVENT) {
+            return refuse(format!(
+                "{class} is a class of events, which only episodes add; tell adds tools, surfaces, media, robots and other things"
+            ));
+        }
+        let (prefix, local) = match term {
+            Term::Compound(colon, parts) if colon == ":" => match parts.as_slice() {
+                [Term::Atom(prefix), Term::Atom(local)] => (prefix.as_str(), local.as_str()),
+                _ => return Err(QueryFault::no_name(term)),
+            },
+            Term::Atom(name) => name.split_once(':').unwrap_or(("semco", name)),
+            _ => return Err(QueryFault::no_name(term)),
+        };
+        let length = local.chars().count();
+        let is_plain = local.starts_with(char::is_alphabetic)
+            && local
+                .chars()
+                .all(|c| c.is_alphanumeric() || "_-.".contains(c));
+        let name = format!("semco:{local}");
+        if prefix != "semco" {
+            refuse(format!(
+                "{prefix}:{local}: new individuals have the prefix semco"
+            ))
+        } else if length > LONGEST_NAME {
+            refuse(format!(
+                "the name has {length} characters, but a new individual has at most {LONGEST_NAME}"
+            ))
+        } else if !is_plain {
+            refuse(format!(
+                "{name}: the name of a new individual begins with a letter, and consists of letters, digits, _, - and ."
+            ))
+        } else if individual_of(&name).is_some() {
+            refuse(format!(
+                "{name}: names of the form Class_episode-number belong to episodes; choose another name"
+            ))
+        } else {
+            Ok(Some(name))
+        }
+    }
+
+    /// Adds an individual by a person. The ontology's own individuals keep their classes.
+    pub fn add_individual(&mut self, name: &str, class: &str) {
+        if self.ontology.term(name).is_none() {
+            self.shared.insert(name.to_owned(), class.to_owned());
+        }
+    }
+
+    /// Removes an individual that a query added.
+    pub fn remove_individual(&mut self, name: &str) {
+        self.shared.remove(name);
     }
 
     /// Returns the individual with this full name.

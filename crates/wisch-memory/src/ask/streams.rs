@@ -70,7 +70,13 @@ impl Knowledge {
 
     /// Returns the values of all individuals, by property.
     pub fn all_values(&self) -> AnswerRows {
-        let properties = self.catalogue.properties().to_vec();
+        let mut properties = self.catalogue.properties().to_vec();
+        // Properties that only people state.
+        for (_, property, _) in self.assertions.all() {
+            if !properties.contains(property) {
+                properties.push(property.clone());
+            }
+        }
         let columns: Vec<AnswerRows> = properties.iter().map(|p| self.column(p)).collect();
         let columns = properties.into_iter().zip(columns);
         Box::new(columns.flat_map(|(property, column)| {

@@ -285,11 +285,18 @@ impl<'a> ChannelSeries<'a> {
                 [at(LEAST_CONTACT, "below which a log is doubted"), None]
             }
             HealthChannel::Offset => {
-                let (most, meaning) = match compression(group) {
-                    Some(depth) => (depth, "the compression of the tool under its force"),
-                    None => (RELOCALIZE_OFFSET, "from which a surface is relocalised"),
+                let relocalised = "from which a surface is relocalised";
+                let (most, meanings) = match compression(group) {
+                    Some(depth) => (
+                        depth,
+                        [
+                            "at which the tool loses contact",
+                            "at which the tool presses twice as hard",
+                        ],
+                    ),
+                    None => (RELOCALIZE_OFFSET, [relocalised; 2]),
                 };
-                [at(-most, meaning), at(most, meaning)]
+                [at(-most, meanings[0]), at(most, meanings[1])]
             }
             HealthChannel::Tilt => [
                 None,

@@ -68,8 +68,33 @@ impl FirstRound {
     }
 }
 
+/// The first round of an episode, as a table of rounds states it. Names have no prefix.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FirstRun {
+    /// Name of the robot, if known.
+    pub robot: Option<String>,
+    /// Name of the tool.
+    pub tool: Option<String>,
+    /// Name of the surface.
+    pub surface: Option<String>,
+    /// Name of the dirt.
+    pub medium: Option<String>,
+    /// Press force of the task \[N\], if the episode states it.
+    pub press_force_n: Option<f64>,
+    /// Whether the round states the true performance of a simulation.
+    pub is_simulated: bool,
+    /// Begin and end of its episode [s since 1970].
+    pub interval: [f64; 2],
+    /// Recorded values in the units of the channels, in the order of [`HealthChannel::ALL`].
+    pub values: [Option<f64>; HealthChannel::ALL.len()],
+    /// Performance at which the goal counts as met \[1\].
+    pub target: Option<f64>,
+    /// Performance that the plan predicted \[1\].
+    pub predicted: Option<f64>,
+}
+
 /// Robot, tool, surface, dirt, press force (by its bits) and source, which are equal in a group.
-type GroupKey = ([Option<CatalogueNode>; 4], Option<u64>, RunSource);
+type GroupKey = ([Option<String>; 4], Option<u64>, RunSource);
 
 /// Relations of a round to robot, tool, surface and dirt.
 const THINGS: [&str; 4] = [
@@ -83,67 +108,90 @@ const THINGS: [&str; 4] = [
 ///
 /// Episodes of earlier versions state no press force; they are in a group without one.
 pub fn gather_groups(catalogue: &Catalogue) -> Vec<RunGroup> {
-    let number = |property: &str, round: IndividualId| {
-        let value = entries(catalogue.numbers(property), round).first();
-        value
-            .map(|(_, value)| *value)
-            .filter(|value| value.is_finite())
+    // Only rounds have a number.
+    let rounds = catalogue.numbers("semco:round").iter();
+    let first = rounds.filter(|(_, number)| *number < 1.5);
+    group_runs(first.map(|(round, _)| read_run(catalogue, *round)))
+}
+
+fn read_run(catalogue: &Catalogue, round: IndividualId) -> FirstRun {
+    let number = |property: &str, of: IndividualId| {
+        let value = entries(catalogue.numbers(property), of).first();
+        value.map(|(_, value)| *value)
     };
+    let [robot, tool, surface, medium] = THINGS.map(|relation| {
+        let objects = entries(catalogue.relations(relation), round);
+        objects.first().map(|(_, node)| name_of(catalogue, *node))
+    });
+    let action = catalogue.parent(round);
+    FirstRun {
+        robot,
+        tool,
+        surface,
+        medium,
+        press_force_n: number("semco:pressForce", round),
+        is_simulated: number("semco:simulatedPerformance", round).is_some(),
+        interval: catalogue.episode_of(round).interval,
+        values: HealthChannel::ALL.map(|channel| number(channel.property(), round)),
+        target: action.and_then(|action| number("semco:target", action)),
+        predicted: number("semco:predictedPerformance", round),
+    }
+}
+
+/// Groups first rounds whose values are comparable, sorted by robot, tool, surface, dirt, force and source.
+///
+/// `runs`: one first round of each episode, in the order of the episodes' names. Numbers that are not finite count as
+/// not recorded.
+///
+/// ```
+/// use wisch_memory::health::{FirstRun, RunSource, group_runs};
+/// let run = FirstRun { interval: [1.79e9, 1.79e9 + 60.0], ..FirstRun::default() };
+/// assert_eq!(group_runs([run])[0].source, RunSource::Imported);
+/// ```
+pub fn group_runs(runs: impl IntoIterator<Item = FirstRun>) -> Vec<RunGroup> {
+    let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     let mut groups: Vec<RunGroup> = Vec::new();
     let mut places: HashMap<GroupKey, usize> = HashMap::new();
-    // Only rounds have a number.
-    for &(round, _) in catalogue
-        .numbers("semco:round")
-        .iter()
-        .filter(|(_, number)| *number < 1.5)
-    {
-        let things = THINGS.map(|relation| {
-            let objects = entries(catalogue.relations(relation), round);
-            objects.first().map(|(_, node)| *node)
-        });
-        let force = number("semco:pressForce", round).filter(|force| *force > 0.0);
-        let source = if number("semco:simulatedPerformance", round).is_some() {
+    for run in runs {
+        let force = finite(run.press_force_n).filter(|force| *force > 0.0);
+        let source = if run.is_simulated {
             RunSource::Simulated
-        } else if things[0].is_some() {
+        } else if run.robot.is_some() {
             RunSource::Executed
         } else {
             RunSource::Imported
         };
-        let place =
-            *(places.entry((things, force.map(f64::to_bits), source))).or_insert_with(|| {
-                let [robot, tool, surface, medium] =
-                    things.map(|node| Some(name_of(catalogue, node?)));
-                groups.push(RunGroup {
-                    robot,
-                    tool,
-                    surface,
-                    medium,
-                    press_force_n: force,
-                    source,
-                    undated: 0,
-                    rounds: Vec::new(),
-                });
-                groups.len() - 1
+        let things = [run.robot, run.tool, run.surface, run.medium];
+        let key = (things, force.map(f64::to_bits), source);
+        let place = *places.entry(key).or_insert_with_key(|(things, ..)| {
+            let [robot, tool, surface, medium] = things.clone();
+            groups.push(RunGroup {
+                robot,
+                tool,
+                surface,
+                medium,
+                press_force_n: force,
+                source,
+                undated: 0,
+                rounds: Vec::new(),
             });
+            groups.len() - 1
+        });
         let group = &mut groups[place];
-        let interval = catalogue.episode_of(round).interval;
-        if !interval.iter().all(|time| is_date(*time)) {
+        if !run.interval.iter().all(|time| is_date(*time)) {
             group.undated += 1;
             continue;
         }
-        let target = catalogue
-            .parent(round)
-            .and_then(|action| number("semco:target", action));
         group.rounds.push(FirstRound {
-            interval,
+            interval: run.interval,
             values: HealthChannel::ALL
-                .map(|channel| channel.scale(number(channel.property(), round)?)),
-            target,
-            predicted: number("semco:predictedPerformance", round),
+                .map(|channel| channel.scale(finite(run.values[channel as usize])?)),
+            target: finite(run.target),
+            predicted: finite(run.predicted),
         });
     }
     for group in &mut groups {
-        // Equal times keep the order of the catalogue.
+        // Equal times keep the order of the runs.
         let time = |round: &FirstRound| [round.interval[1], round.interval[0]];
         group.rounds.sort_by(|a, b| {
             let [a, b] = [time(a), time(b)];

@@ -19,15 +19,17 @@ mod group;
 mod median;
 mod report;
 mod slope;
+mod words;
 
 pub use assess::{FALSE_ALARM_RATE, FEWEST_EPISODES, NEW_CHANGE_RUNS, assess_groups};
 pub use cause::DriftCause;
 pub use channel::HealthChannel;
-pub use group::{RunGroup, RunSource, gather_groups};
+pub use group::{FirstRun, RunGroup, RunSource, gather_groups, group_runs};
 pub use report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
     HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
 };
+pub use words::{ChannelWords, CourseWords, DescribedHealth, GroupWords, HealthWords};
 
 pub(crate) use cause::find_cause;
 pub(crate) use change::find_changes;

@@ -208,6 +208,7 @@ fn what_would_not_be_seen_is_refused() {
         for query in [
             "tell(holds('Stroke_e0-5', rdf:type, semco:'Collision'))",
             "tell(has_type('Stroke_e0-5', semco:'Collision'))",
+            "tell(holds(semco:'Sponge', rdfs:subClassOf, semco:'Collision'))",
             "tell(holds('Stroke_e0-5', dul:hasConstituent, 'Stroke_e0-5'))",
             "tell(holds('Stroke_e0-5', semco:recordLog, _))",
             "tell(holds('Stroke_e0-5', semco:recordLog, f(x)))",
@@ -218,6 +219,127 @@ fn what_would_not_be_seen_is_refused() {
                 "{query}: {result:?}"
             );
         }
+    }
+}
+
+/// A text with a colon and the name of a thing.
+const NOTE: &str = "at 10:30, a visitor leaned on the arm";
+
+#[test]
+fn notes_on_an_event_are_texts_that_queries_find() {
+    for command in engines() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
+        let query = format!(
+            "tell([holds('HumanCollision_e0-7', rdfs:comment, '{NOTE}'), \
+             holds('HumanCollision_e0-7', rdfs:label, sponge)])"
+        );
+        assert!(asker.ask(&query).unwrap().holds());
+        assert!(asker.ask(&query).unwrap().holds(), "they are known already");
+        assert_eq!(kept(folder.path()), 2);
+        let mut later = asker_of(folder.path(), command, AskLimits::default());
+        for asker in [&mut asker, &mut later] {
+            let event = "semco:'HumanCollision_e0-7'";
+            for query in [
+                "holds(E, rdfs:label, sponge)".to_owned(),
+                format!("holds(E, rdfs:comment, '{NOTE}')"),
+                "human_collision(_, E, _), holds(E, rdfs:comment, _)".to_owned(),
+                "triple(E, P, O), P == 'rdfs:label', O == sponge".to_owned(),
+            ] {
+                let found = asker.ask(&query).unwrap();
+                let found: Vec<String> = found.rows.iter().map(|row| row[0].to_string()).collect();
+                assert!(found.contains(&event.to_owned()), "{query}: {found:?}");
+            }
+            let text = asker.ask(&format!("holds({event}, rdfs:comment, Text)"));
+            assert_eq!(shown(&text.unwrap()), [format!("'{NOTE}'")]);
+        }
+    }
+}
+
+#[test]
+fn a_new_individual_has_its_class_and_statements() {
+    for command in engines() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut asker = asker_of(folder.path(), command.clone(), AskLimits::default());
+        let tools = "findall(T, has_type(T, semco:'Sponge'), Ts), member(semco:blue_sponge, Ts)";
+        let tools = tools.replace("semco:blue_sponge", "'semco:blue_sponge'");
+        assert!(!asker.ask(&tools).unwrap().holds());
+        let tell = "tell([has_type(semco:blue_sponge, semco:'Sponge'), holds(blue_sponge, rdfs:comment, 'bought in May')])";
+        // A query without an answer adds nothing.
+        assert!(!asker.ask(&format!("{tell}, fail")).unwrap().holds());
+        assert!(asker.ask("holds(blue_sponge, rdfs:comment, _)").is_err());
+        assert!(asker.ask(&format!("{tell}, {tools}")).unwrap().holds());
+        assert!(asker.ask(tell).unwrap().holds(), "it is known already");
+        assert_eq!(kept(folder.path()), 2);
+        let mut later = asker_of(folder.path(), command, AskLimits::default());
+        for asker in [&mut asker, &mut later] {
+            assert!(asker.ask(&tools).unwrap().holds());
+            let of_class = asker.ask("has_type(semco:blue_sponge, semco:'WipingTool')");
+            assert!(of_class.unwrap().holds());
+            let note = asker.ask("has_type(T, semco:'Sponge'), holds(T, rdfs:comment, Text)");
+            assert_eq!(shown(&note.unwrap()), ["semco:blue_sponge 'bought in May'"]);
+            let statements =
+                asker.ask("triple(semco:blue_sponge, P, O), P == 'rdf:type', O == 'semco:Sponge'");
+            assert_eq!(statements.unwrap().rows.len(), 1);
+        }
+    }
+}
+
+#[test]
+fn errors_of_tell_name_the_limit() {
+    for command in engines() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut asker = asker_of(folder.path(), command, AskLimits::default());
+        let long = "x".repeat(2001);
+        for (query, part) in [
+            (
+                format!("tell(holds('Stroke_e0-5', rdfs:comment, '{long}'))"),
+                "has 2001 characters, but tell stores at most 2000",
+            ),
+            (
+                format!("tell(has_type(semco:{}, semco:'Sponge'))", &long[..101]),
+                "has 101 characters, but a new individual has at most 100",
+            ),
+            (
+                "tell(has_type(semco:'blue sponge', semco:'Sponge'))".to_owned(),
+                "letters, digits, _, - and .",
+            ),
+            (
+                "tell(has_type(dul:blue, semco:'Sponge'))".to_owned(),
+                "have the prefix semco",
+            ),
+            (
+                "tell(has_type(semco:'Sponge_e9-1', semco:'Sponge'))".to_owned(),
+                "belong to episodes",
+            ),
+            (
+                "tell(has_type(semco:visit, semco:'HumanCollision'))".to_owned(),
+                "class of events, which only episodes add",
+            ),
+            (
+                "tell(has_type(semco:sponge, semco:'WipingRobot'))".to_owned(),
+                "tell cannot make it a semco:WipingRobot",
+            ),
+            (
+                "tell(has_type(semco:'Sponge', semco:'Sponge'))".to_owned(),
+                "is a class or a property",
+            ),
+            (
+                "tell(has_type(semco:blue, semco:'Spong'))".to_owned(),
+                "Sponge",
+            ),
+        ] {
+            let error = asker.ask(&query).expect_err(&query).to_string();
+            assert!(error.contains(part), "{query}: {error}");
+        }
+        assert_eq!(kept(folder.path()), 0);
+        let file = folder.path().join("told.jsonl");
+        fs::write(&file, "[\"semco:blue\",\"rdf:type\",\"semco:Spong\"]\n").unwrap();
+        let error = Assertions::read(folder.path()).unwrap_err().to_string();
+        assert!(
+            error.contains("line 1") && error.contains("which is no class"),
+            "{error}"
+        );
     }
 }
 

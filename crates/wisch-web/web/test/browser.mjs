@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open } from "./chromium.mjs";
+import { contrast } from "./colours.mjs";
 import { answersPage, reportPage, studioPage } from "./page.mjs";
 import { hour, lines, polished, sample } from "./sample.mjs";
 
@@ -45,8 +46,8 @@ async function openPage(name, html, { width = 1440, height = 900, hash = "", bef
 }
 
 /** Opens the studio with a server that answers from `overview`, `recordings` by episode, and `answers`. */
-async function openStudio(hash, overview, recordings, answers, viewport = { width: 1440, height: 900 }) {
-  const page = await browser.newPage({ viewport });
+async function openStudio(hash, overview, recordings, answers, viewport = { width: 1440, height: 900 }, { health = null, ...options } = {}) {
+  const page = await browser.newPage({ viewport, ...options });
   const complaints = [];
   page.on("pageerror", (error) => complaints.push(error.stack));
   await page.route("http://studio.invalid/**", (route) => {
@@ -56,6 +57,7 @@ async function openStudio(hash, overview, recordings, answers, viewport = { widt
     if (path === "api/overview/events") return route.fulfill({ contentType: "text/event-stream", body: "retry: 600000\n\n" });
     if (id) return route.fulfill({ contentType: "application/x-ndjson", body: recordings[id] });
     const words = { predicates: [], builtins: [], classes: [], properties: [], individuals: [], examples: [] };
+    if (path === "api/health") return health ? route.fulfill({ json: health }) : route.fulfill({ status: 500, json: { error: { message: "episode e cannot be read" } } });
     return route.fulfill({ json: path === "api/ask" ? answers : path === "api/vocabulary" ? words : overview });
   });
   await page.addInitScript(watchFirstFrame);
@@ -65,6 +67,29 @@ async function openStudio(hash, overview, recordings, answers, viewport = { widt
 
 const overviewOf = (episodes) => ({ memory: "m", list: { episodes, total: episodes.length, broken: [] }, runs: [], scenarios: [], limits: { answers: 1, seconds: 1 } });
 const listed = (id, more = {}) => ({ id, title: id, action: null, tool: null, medium: null, surface: null, begun: 1000, seconds: 1, rounds: 1, performance: 0.9, low: 0.8, high: 1, met: true, verdict: "goal met", target: 0.85, round_starts: [0], events: [], has_recording: true, ...more });
+
+/** The health of a memory with a group that needs attention behind two that do not. */
+const healthOf = () => {
+  const quiet = (channel, now, per_run) => ({ channel, recorded: 18, now, per_run, p: "1.0000", finding: "none", needs_attention: false, sentences: [] });
+  const unknown = (channel, recorded, unknown, finding = null) => ({ channel, recorded, unknown, finding, needs_attention: false, sentences: [] });
+  const found = (channel, now, per_run, p, finding, ...sentences) => ({ channel, recorded: 18, now, per_run, p, finding, needs_attention: true, sentences });
+  const group = (things, runs, channels, too_few = null) => ({ things, runs, channels, too_few, needs_attention: channels.some((one) => one.needs_attention) });
+  return { needs_attention: true, words: {
+    groups: [
+      group("arm \u00b7 brush \u00b7 table \u00b7 crumbs \u00b7 10.0 N \u00b7 simulated", "3 runs, 2026-09-21 14:13:20 +00:00 to 2026-09-23 14:13:20 +00:00", [unknown("contact force", 3, "too few episodes (3 of 7)")], "too few episodes (3 of 7)"),
+      group("arm \u00b7 sponge \u00b7 table \u00b7 crumbs \u00b7 10.0 N \u00b7 executed", "18 runs, 2026-09-21 14:13:20 +00:00 to 2026-10-08 14:13:20 +00:00", [quiet("contact force", "10.02 N", "0.003 (-0.012 to 0.028) N"), unknown("tool stiffness", 0, "not recorded")]),
+      group("justin \u00b7 sponge \u00b7 chopping_board \u00b7 crumbs \u00b7 10.0 N \u00b7 executed", "18 runs, 2026-09-21 14:13:20 +00:00 to 2026-10-08 14:13:20 +00:00", [
+        quiet("contact force", "10.02 N", "0.003 (-0.012 to 0.028) N"), quiet("contact share", "96.8 %", "-0.03 (-0.09 to 0.04) %"),
+        found("surface offset", "-6.28 mm", "-0.252 (-0.442 to 0.016) mm", "0.6214", "beyond limit", "sudden change 7 runs ago, at 2026-10-02 14:13:20 +00:00: from -0.69 mm to -4.76 mm (p = 0.0076): relocalise the surface: it is lower", "beyond -5.67 mm, at which the tool loses contact: relocalise the surface: it is lower"),
+        unknown("surface tilt", 18, "too few episodes since the sudden change (3 of 7)", "changed"),
+        found("tool stiffness", "1543 N/m", "-1.50 (-1.72 to -1.25) %", "< 0.0001", "drift", "drift: about 29 runs (24 to 37) until 995 N/m, half of the stiffness after the last change; replace the tool: it becomes softer"),
+        quiet("performance", "97.3 %", "0.04 (0.00 to 0.08) %"),
+      ]),
+    ],
+    summary: "3 groups: 1 needs attention; too few episodes in 1",
+    remarks: ["p: probability that chance explains the slope, adjusted to 22 tests (Holm)."],
+  } };
+};
 
 const time = (page) => page.evaluate(() => wisch.view.clock.time);
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -983,6 +1008,44 @@ const cases = {
     assert.equal(await page.locator(".s-strip .s-time title").textContent(), "2 \u00d7 push or collision, 0.2 s to 0.3 s");
     if (pictures) await page.screenshot({ path: join(pictures, "studio-large.png") });
     assert.deepEqual(complaints, []);
+    await page.close();
+  },
+
+  async "the studio shows the health of the memory, what needs attention first"() {
+    for (const [colorScheme, width] of ["light", "dark"].flatMap((theme) => [390, 1280].map((width) => [theme, width]))) {
+      const health = healthOf();
+      const { page, complaints } = await openStudio("", overviewOf([]), {}, null, { width, height: 900 }, { health, colorScheme });
+      await page.getByRole("button", { name: "Health" }).click();
+      const groups = page.locator(".s-group");
+      await groups.first().waitFor();
+      assert.equal(await page.locator(".s-health .s-count").innerText(), health.words.summary);
+      assert.deepEqual(await groups.locator("h3 .s-badge").allInnerTexts(), ["needs attention", "nothing found", "too few runs"]);
+      const channels = await groups.first().locator("tbody th").allInnerTexts();
+      assert.deepEqual(channels, ["surface offset", "tool stiffness", "contact force", "contact share", "surface tilt", "performance"]);
+      const [words] = await groups.allInnerTexts();
+      for (const { now, per_run, p, unknown, finding, sentences } of health.words.groups[2].channels) {
+        for (const part of [now, per_run, p, unknown, finding, ...sentences.map((sentence) => sentence.slice(1))]) assert.ok(!part || words.includes(part), `${part} is not in ${words}`);
+      }
+      assert.match(await groups.last().innerText(), /Too few episodes \(3 of 7\)\. A drift cannot be assessed\./);
+      assert.ok((await wide(page)) <= 0, `wider than ${width} pixels`);
+      for (const table of await page.locator(".s-group .s-table").all()) assert.ok(await table.evaluate((one) => one.scrollWidth <= one.clientWidth), `a table is cut off at ${width} pixels`);
+      const mark = await groups.first().locator("tr[data-attention='true'] .s-finding > span").first().evaluate((cell) => {
+        const solid = (one) => (!one || getComputedStyle(one).backgroundColor !== "rgba(0, 0, 0, 0)" ? getComputedStyle(one ?? document.body).backgroundColor : solid(one.parentElement));
+        return [getComputedStyle(cell).color, solid(cell)].map((colour) => `#${colour.match(/\d+/g).slice(0, 3).map((part) => Number(part).toString(16).padStart(2, "0")).join("")}`);
+      });
+      assert.ok(contrast(...mark) >= 4.5, `${mark} in the ${colorScheme} theme`);
+      if (pictures) await page.screenshot({ path: join(pictures, `studio-health-${colorScheme}-${width}.png`) });
+      if (pictures && width < 500) {
+        await groups.nth(1).scrollIntoViewIfNeeded();
+        await page.screenshot({ path: join(pictures, `studio-health-${colorScheme}-${width}-below.png`) });
+      }
+      assert.deepEqual(complaints, []);
+      await page.close();
+    }
+    // A memory that cannot be read is an error, and no memory in order.
+    const { page } = await openStudio("", overviewOf([]), {}, null);
+    await page.getByRole("button", { name: "Health" }).click();
+    assert.equal(await page.locator(".s-health [role='alert']").innerText(), "episode e cannot be read");
     await page.close();
   },
 

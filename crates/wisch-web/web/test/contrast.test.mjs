@@ -16,7 +16,7 @@ blocks.forEach((colours, i) => Object.assign(colours, compared[i], { node: figur
 const THEMES = [["light", blocks[0]], ["dark", blocks[1]]];
 
 /** WCAG 2.2: contrast of 4.5 for text, and of 3 for marks with a meaning. */
-const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"], ["target", "card"], ["paper", "first"], ["paper", "second"]];
+const TEXT = [["ink", "paper"], ["ink", "card"], ["ink", "lane"], ["ink", "round"], ["ink", "wiping"], ["ink", "hover"], ["quiet", "paper"], ["quiet", "card"], ["quiet", "hover"], ["quiet", "lane"], ["paper", "accent"], ["paper", "bad"], ["bad", "card"], ["good", "good-ground"], ["bad", "bad-ground"], ["target", "paper"], ["target", "card"], ["paper", "first"], ["paper", "second"]];
 const TRACKS = [1, 2, 3, 4, 5, 6].map((i) => `track-${i}`);
 const MARK_CONTRAST = 3;
 /** Least differences (CIEDE2000) of marks: for all eyes, and for those of the three common colour blindnesses. */

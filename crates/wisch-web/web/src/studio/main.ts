@@ -3,10 +3,13 @@ import "./studio.css";
 import { el } from "../dom.ts";
 import { isSame, read, replace, write, type Place } from "./address.ts";
 import { Ask } from "./ask.ts";
+import { Health } from "./health.ts";
 import { LiveSource, loadEpisode, onChanged, overview, Refused, type Answers, type Overview } from "./server.ts";
 import { Side } from "./side.ts";
 import { Stage, type Source } from "./stage.ts";
 import { StartDialog } from "./start.ts";
+
+type Part = "runs" | "ask" | "health";
 
 const HOME: Place = { kind: "home", ids: [], time: null, query: null };
 
@@ -14,8 +17,9 @@ class Studio {
   private readonly side: Side;
   private readonly stage: Stage;
   private readonly ask: Ask;
+  private readonly health = new Health();
   private readonly dialog: StartDialog;
-  private readonly tabs: Record<"runs" | "ask", HTMLButtonElement>;
+  private readonly tabs: Record<Part, HTMLButtonElement>;
   private readonly offline = el("p", { class: "s-offline", role: "status", hidden: true }, "The studio does not respond. If it has ended, start it again: wisch studio.");
   private readonly aside: HTMLElement;
   private known: Overview | null = null;
@@ -46,14 +50,14 @@ class Studio {
       isKept: (id) => this.isKept(id),
     });
     this.dialog = new StartDialog((id) => void this.go({ ...HOME, kind: "run", ids: [id] }).then(() => this.stage.focus()));
-    const tab = (name: "runs" | "ask", words: string, title: string) => el("button", {
+    const tab = (name: Part, words: string, title: string) => el("button", {
       class: "w-button", type: "button", "aria-pressed": "false", title,
       click: () => (this.isNarrow && this.aside.dataset.open === name ? this.open(null) : this.open(name)),
     }, words);
-    this.tabs = { runs: tab("runs", "Runs", "Runs and episodes"), ask: tab("ask", "Ask", "Ask the memory ( / )") };
+    this.tabs = { runs: tab("runs", "Runs", "Runs and episodes"), ask: tab("ask", "Ask", "Ask the memory ( / )"), health: tab("health", "Health", "What changes from run to run") };
     this.aside = el("aside", { class: "s-side" },
-      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "wisch studio"), this.tabs.runs, this.tabs.ask, corner),
-      this.offline, this.side.element, this.ask.element);
+      el("header", { class: "s-top" }, el("h2", { class: "s-name" }, "wisch studio"), this.tabs.runs, this.tabs.ask, this.tabs.health, corner),
+      this.offline, this.side.element, this.ask.element, this.health.element);
     root.classList.add("s-studio");
     root.append(this.aside, this.stage.element, this.dialog.element);
     this.open("runs");
@@ -82,11 +86,13 @@ class Studio {
   }
 
   /** Opens a part of the side panel; null closes it. */
-  private open(part: "runs" | "ask" | null): void {
+  private open(part: Part | null): void {
     this.aside.dataset.open = part ?? "";
     this.side.element.hidden = part !== "runs";
     this.ask.element.hidden = part !== "ask";
-    for (const name of ["runs", "ask"] as const) this.tabs[name].setAttribute("aria-pressed", String(part === name));
+    this.health.element.hidden = part !== "health";
+    if (part === "health") void this.health.load();
+    for (const name of ["runs", "ask", "health"] as const) this.tabs[name].setAttribute("aria-pressed", String(part === name));
   }
 
   private async refresh(): Promise<void> {
@@ -95,6 +101,7 @@ class Studio {
       this.side.show(this.known);
       this.dialog.setScenarios(this.known.scenarios);
       this.stage.onConnectionChanged();
+      if (!this.health.element.hidden) void this.health.load();
       if (this.waits) void this.route();
     } catch (error) {
       if (!this.known) this.stage.say("fault", (error as Error).message);

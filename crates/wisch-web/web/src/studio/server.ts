@@ -54,6 +54,35 @@ export interface Vocabulary extends Record<"classes" | "properties" | "individua
   examples: { title: string; query: string }[];
 }
 
+/** A channel of comparable runs in words: a line, or the reason why there is none. */
+interface ChannelWords {
+  channel: string;
+  recorded: number;
+  now?: string;
+  per_run?: string;
+  p?: string;
+  unknown?: string;
+  /** Null for a channel that is not assessed. */
+  finding: string | null;
+  needs_attention: boolean;
+  sentences: string[];
+}
+
+export interface GroupWords {
+  things: string;
+  runs: string;
+  too_few: string | null;
+  needs_attention: boolean;
+  channels: ChannelWords[];
+}
+
+/** The words of `wisch memory health`. */
+export interface HealthWords {
+  groups: GroupWords[];
+  summary: string;
+  remarks: string[];
+}
+
 export type Cell = string | number | null | Cell[];
 
 /** An individual of an episode that an answer names. */
@@ -151,6 +180,9 @@ export const overview = async (find: string): Promise<Overview> =>
   (await (await request(`api/overview?find=${encodeURIComponent(find)}`)).json()) as Overview;
 
 export const vocabulary = async (): Promise<Vocabulary> => (await (await request("api/vocabulary")).json()) as Vocabulary;
+
+export const health = async (): Promise<HealthWords> =>
+  ((await (await request("api/health")).json()) as { words: HealthWords }).words;
 
 /** Calls `take` with each JSON line of an episode's recording as it arrives, without holding the whole text. */
 export async function readRecording(id: string, take: (line: string) => void): Promise<void> {
