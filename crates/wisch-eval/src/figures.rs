@@ -7,7 +7,8 @@ use crate::scenario::{Quartiles, ScenarioScores};
 use crate::scores::{Calibration, ClaimCounts, LevelCoverage, MethodScores};
 use crate::sweep::SweepCell;
 use crate::table1::Table1Row;
-use crate::world::Senses;
+use crate::world::{Disturbance, Senses};
+use std::collections::BTreeSet;
 
 /// Name of the interval of a share.
 const BINOMIAL: &str = "95 % binomial";
@@ -26,6 +27,8 @@ const SIGHT_CLASS_90: [Option<f64>; 2] = [Some(80.0), None];
 const CLASS_ROUNDS: usize = 50;
 /// Range of the share of rounds that 90 % intervals by touch contain, in each class \[%\].
 const TOUCH_90: [Option<f64>; 2] = [Some(85.0), None];
+/// CRPS by touch as a multiple of that of the force-blind replay, at most: in undisturbed and in disturbed worlds.
+const TOUCH_CRPS: [f64; 2] = [1.0, 0.75];
 /// Range of the share of worlds with a false claim \[%\].
 const FALSE_CLAIMS: [Option<f64>; 2] = [None, Some(0.1)];
 /// Shares of the misplaced dirt that suitable tools of Fig. 13 bring to the goal \[%\].
@@ -103,18 +106,19 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
         let place = |column| ["kinds of world", &*group.name, column];
         figures.push(Figure::from_count(place("worlds"), group.worlds));
         figures.push(Figure::from_count(place("rounds"), group.rounds));
-        let scores = method_figures(
-            ["kinds of world", &group.name],
-            &group.method,
-            group.rounds,
-            target,
-        );
+        let row = ["kinds of world", &*group.name];
+        let scores = method_figures(row, &group.method, group.rounds, target).into_iter();
         let shown = ["CRPS", "error", "90 % interval", "width of 90 %"];
-        figures.extend(
-            scores
-                .into_iter()
-                .filter(|one| shown.contains(&&*one.column)),
-        );
+        let scores = scores.filter(|one| shown.contains(&&*one.column));
+        let is_compared = group.kind == "disturbance" && senses == Senses::Touch;
+        let is_disturbed = group.name != Disturbance::None.as_str();
+        let blind = group.force_blind_crps;
+        let most = TOUCH_CRPS[usize::from(is_disturbed)] * 100.0 * blind;
+        figures.extend(scores.map(|figure| match &*figure.column {
+            "CRPS" if is_compared => figure.with_target([None, Some(most)], PROJECT),
+            _ => figure,
+        }));
+        figures.push(points(place("CRPS, force-blind"), blind, group.rounds));
         figures.push(points(
             place("paper's error"),
             group.paper_error,
@@ -202,6 +206,15 @@ pub fn table1_figures(rows: &[Table1Row], reached: [usize; 2]) -> Vec<Figure> {
     let mut figures = Vec::new();
     if cells > 0 {
         figures.push(Figure::from_count(place, hits).with_count(cells, "cells"));
+    }
+    let others = rows.iter().filter(|row| !row.is_papers_own);
+    let others: BTreeSet<&str> = others.map(|row| &*row.strategy).collect();
+    for strategy in others {
+        let of: Vec<_> = rows.iter().filter(|row| row.strategy == strategy).collect();
+        let name = format!("cells in which `{strategy}` reaches the paper's best performance");
+        let hits = of.iter().filter(|row| row.is_reached).count();
+        let figure = Figure::from_count(["cells", &name, "result"], hits);
+        figures.push(figure.with_count(of.len(), "cells"));
     }
     for (quantity, table, unit, decimals) in QUANTITIES {
         for row in rows {
