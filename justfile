@@ -62,6 +62,10 @@ viewers *options:
 bench-peers:
     python3 peers/table.py
 
+# Measure published figures again: `just evidence NAME…`, `all`, `stale`, `--check`; the pages are written too.
+evidence *options="stale":
+    .ci/evidence {{options}}
+
 # How long each stage takes, and how that grows with the dirt: a table and a plot.
 growth plot="out/growth.svg":
     cargo run --release --locked --package wisch-eval --example growth -- {{plot}}

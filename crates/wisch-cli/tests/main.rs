@@ -5,6 +5,7 @@ mod cli;
 mod curved;
 mod earlier_versions;
 mod eval;
+mod evidence;
 mod executor;
 mod export;
 #[cfg(unix)]

@@ -5,9 +5,11 @@
 //! estimators on the same rounds with ground truth. [`Calibration`] summarises many worlds. [`ScenarioRun`] is one run of a
 //! shipped scenario in its own world. [`WipingScore`] scores a task that is planned, followed or executed once; the paper's
 //! Table 1 ([`Table1Case`]) and sweeps over keys of a task ([`Axis`]) consist of these scores. [`SeedUse`] defines the
-//! ranges of seeds.
+//! ranges of seeds. An [`EvidenceFile`] keeps published figures with what is needed to measure them again.
 
 mod baselines;
+mod evidence;
+mod figures;
 mod interval;
 mod picture;
 mod protocol;
@@ -25,6 +27,11 @@ mod wiping;
 mod world;
 
 pub use baselines::Baselines;
+pub use evidence::{
+    EvidenceError, EvidenceFile, PLANNING_CODE, PublishedFigure, PublishedInterval,
+    PublishedTarget, SIMULATION_CODE,
+};
+pub use figures::{calibration_figures, scenario_figures, sweep_figures, table1_figures};
 pub use interval::binomial_interval;
 pub use picture::Picture;
 pub use protocol::SeedUse;

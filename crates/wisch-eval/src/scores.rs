@@ -66,6 +66,8 @@ pub struct GroupScores {
     pub rounds: usize,
     /// Scores of the method.
     pub method: MethodScores,
+    /// Mean continuous ranked probability score of the force-blind replay.
+    pub force_blind_crps: f64,
     /// Mean absolute error of the paper's rule.
     pub paper_error: f64,
     /// Share of the worlds with a true performance of at least 90 % at the end \[1\].
@@ -202,6 +204,7 @@ impl Calibration {
             let errors = rounds
                 .iter()
                 .map(|round| (round.paper - round.outcome).abs());
+            let blind = rounds.iter().map(|round| round.force_blind.crps);
             let last = worlds.iter().filter_map(|world| world.rounds.last());
             let well = last.filter(|round| round.outcome >= 0.9).count();
             GroupScores {
@@ -210,6 +213,7 @@ impl Calibration {
                 worlds: worlds.len(),
                 rounds: rounds.len(),
                 method: method(&rounds),
+                force_blind_crps: blind.sum::<f64>() / rounds.len().max(1) as f64,
                 paper_error: errors.sum::<f64>() / rounds.len().max(1) as f64,
                 ended_at_90: well as f64 / worlds.len() as f64,
                 claims: ClaimCounts::of(worlds.into_iter()),

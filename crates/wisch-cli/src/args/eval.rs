@@ -80,6 +80,15 @@ pub struct JournalArgs {
     pub resume: bool,
 }
 
+/// The evidence of an evaluation.
+#[derive(Debug, Args)]
+pub struct EvidenceArgs {
+    /// When the evaluation is complete, also write its figures to this file, with the command, seeds, commit, date and
+    /// machine; run the command at the root of a checkout of this repository
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub evidence: Option<PathBuf>,
+}
+
 /// The last stage to which tasks are taken.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct ExtentArgs {
@@ -141,6 +150,9 @@ pub struct Table1Args {
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/table1", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
+    /// The evidence.
+    #[command(flatten)]
+    pub evidence: EvidenceArgs,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
@@ -175,6 +187,9 @@ pub struct SweepArgs {
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/sweep", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
+    /// The evidence.
+    #[command(flatten)]
+    pub evidence: EvidenceArgs,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
@@ -201,6 +216,9 @@ pub struct ScenarioEvaluationArgs {
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/scenarios", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
+    /// The evidence.
+    #[command(flatten)]
+    pub evidence: EvidenceArgs,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
@@ -231,6 +249,9 @@ pub struct CalibrationArgs {
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/calibration", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
+    /// The evidence.
+    #[command(flatten)]
+    pub evidence: EvidenceArgs,
     /// Print one JSON object instead of the summary
     #[arg(long)]
     pub json: bool,
@@ -243,6 +264,12 @@ pub enum SensesChoice {
     Touch,
     /// Touch, and a camera that observes the dirt before the first round and after each round
     Sight,
+}
+
+impl std::fmt::Display for Shard {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}-of-{}", self.index, self.count)
+    }
 }
 
 /// One of `count` equal parts of an evaluation, as typed: `I/N`.

@@ -2,13 +2,15 @@
 
 use super::super::words::{counted, percent};
 use super::journal::{Cases, Evaluated};
-use super::{Provenance, conclude, outcome, points, write};
+use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, points, write};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
 use serde::Serialize;
 use std::fmt::Write as _;
-use wisch_eval::{Calibration, GroupScores, MethodScores, Senses, WorldCase, WorldScore};
+use wisch_eval::{
+    Calibration, GroupScores, MethodScores, Senses, WorldCase, WorldScore, calibration_figures,
+};
 use wisch_report::{CalibrationCurve, CalibrationLevel, calibration_drawing};
 
 /// Schema number of the record.
@@ -53,6 +55,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         },
     };
     let out = &args.out;
+    let evidence = begin_evidence(&args.evidence, Some((out, &args.journal)), true)?;
     let Evaluated {
         all: worlds,
         failed,
@@ -66,6 +69,15 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
     let table = in_words(&record);
     write(&out.join("reliability.svg"), &drawing(&record))?;
     conclude(out, "calibration", &record, &table, args.json, global)?;
+    let figures = calibration_figures(&record.calibration, senses);
+    let cases = [worlds.len(), all.len()];
+    finish_evidence(
+        evidence,
+        &record.provenance,
+        cases,
+        Some(&args.journal),
+        &figures,
+    )?;
     Ok(outcome(failed))
 }
 

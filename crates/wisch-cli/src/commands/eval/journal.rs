@@ -59,7 +59,7 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
             .map(|(_, case)| case)
             .filter(|case| !known.contains_key(case))
             .collect();
-        let name = format!("{}s-{}-of-{}.jsonl", self.noun, shard.index, shard.count);
+        let name = format!("{}s-{shard}.jsonl", self.noun);
         let path = out.join(name);
         let file = begin_after_whole_lines(&path);
         let file = Mutex::new(file.map_err(|error| cannot(&path, "write the file", &error))?);

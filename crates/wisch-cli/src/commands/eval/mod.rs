@@ -12,13 +12,13 @@ pub use scenarios::scenarios;
 pub use sweep::sweep;
 pub use table1::table1;
 
-use crate::args::GlobalArgs;
+use crate::args::{EvidenceArgs, GlobalArgs, JournalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, remark};
 use serde::Serialize;
 use std::path::Path;
 use std::process::Command;
-use wisch_eval::SeedUse;
+use wisch_eval::{EvidenceFile, PLANNING_CODE, PublishedFigure, SIMULATION_CODE, SeedUse};
 use wisch_io::OutputFile;
 
 /// The note about seeds from several ranges.
@@ -59,6 +59,50 @@ impl Provenance {
         let (seed_use, version) = (self.seed_use, self.version);
         format!("Seeds {first} to {last} ({seed_use}), {senses}, wisch {version} ({commit})")
     }
+}
+
+/// Begins the evidence file of an evaluation, if `--evidence` names one. `parts`: the folder of its results, and which part
+/// is evaluated. `is_executed`: whether the figures depend on the simulation.
+fn begin_evidence(
+    args: &EvidenceArgs,
+    parts: Option<(&Path, &JournalArgs)>,
+    is_executed: bool,
+) -> Result<Option<EvidenceFile>, Failure> {
+    let Some(path) = &args.evidence else {
+        return Ok(None);
+    };
+    let mut code = PLANNING_CODE.to_vec();
+    code.extend(is_executed.then_some(SIMULATION_CODE));
+    let name = parts.map_or_else(String::new, |(_, journal)| journal.shard.to_string());
+    let journal = parts.map(|(out, _)| (out, &*name));
+    EvidenceFile::begin(path, &code, journal)
+        .map(Some)
+        .map_err(Failure::new)
+}
+
+/// Writes the evidence file if the evaluation is complete. `cases`: number of results, and number of all cases. A case that
+/// failed counts as such, unless it may belong to a part that is not yet evaluated.
+fn finish_evidence(
+    evidence: Option<EvidenceFile>,
+    provenance: &Provenance,
+    [results, all]: [usize; 2],
+    journal: Option<&JournalArgs>,
+    figures: &[PublishedFigure],
+) -> Result<(), Failure> {
+    let Some(evidence) = evidence else {
+        return Ok(());
+    };
+    if results < all && journal.is_some_and(|journal| journal.shard.count > 1) {
+        let missing = all - results;
+        remark(&format!(
+            "no evidence is written: {missing} of {all} results are missing"
+        ));
+        return Ok(());
+    }
+    let cases = [results, all - results];
+    evidence
+        .finish(provenance.seeds, cases, figures)
+        .map_err(Failure::new)
 }
 
 fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {

@@ -1,7 +1,7 @@
 //! `wisch eval scenarios`: runs scenarios or tasks over many seeds.
 
 use super::journal::one_on_each_core;
-use super::{Provenance, cannot, conclude, outcome, points};
+use super::{Provenance, begin_evidence, cannot, conclude, finish_evidence, outcome, points};
 use crate::args::{GlobalArgs, ScenarioEvaluationArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores};
+use wisch_eval::{Quartiles, ScenarioRun, ScenarioScores, scenario_figures};
 use wisch_io::{LoadOptions, load_task};
 
 /// Schema number of the record.
@@ -40,6 +40,7 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
         load_task(Path::new(task), &LoadOptions::default())?;
     }
     fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
+    let evidence = begin_evidence(&args.evidence, None, true)?;
     let [first, last] = provenance.seeds;
     let cases: Vec<(&String, u64)> = (first..=last)
         .flat_map(|seed| args.tasks.iter().map(move |task| (task, seed)))
@@ -69,6 +70,9 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
     };
     let table = in_words(&record);
     conclude(out, "scenarios", &record, &table, args.json, global)?;
+    let figures = scenario_figures(&record.scenarios);
+    let counts = [record.runs.len(), cases.len()];
+    finish_evidence(evidence, &record.provenance, counts, None, &figures)?;
     Ok(outcome(failures.len()))
 }
 

@@ -3,7 +3,7 @@
 use super::super::words::counted;
 use super::journal::{Cases, Evaluated};
 use super::wipings::{header, heading, quartiles, row, runs_csv};
-use super::{Provenance, conclude, outcome, write};
+use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, write};
 use crate::args::{GlobalArgs, SweepArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
@@ -11,6 +11,7 @@ use serde::Serialize;
 use std::path::Path;
 use wisch_eval::{
     Axis, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, WipingExtent, cells, sweep_cells,
+    sweep_figures,
 };
 use wisch_io::{LoadOptions, load_task, robot_warnings};
 
@@ -72,6 +73,8 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         },
     };
     let out = &args.out;
+    let is_executed = setup.extent == WipingExtent::Executed;
+    let evidence = begin_evidence(&args.evidence, Some((out, &args.journal)), is_executed)?;
     let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
     let record = SweepRecord {
         provenance,
@@ -83,6 +86,15 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     write(&out.join("runs.csv"), &runs_table(&record)?)?;
     let table = in_words(&record);
     conclude(out, "sweep", &record, &table, args.json, global)?;
+    let figures = sweep_figures(&record.cells, &record.setup.keys);
+    let counts = [record.runs.len(), all.len()];
+    finish_evidence(
+        evidence,
+        &record.provenance,
+        counts,
+        Some(&args.journal),
+        &figures,
+    )?;
     Ok(outcome(failed))
 }
 

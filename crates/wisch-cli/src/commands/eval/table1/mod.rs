@@ -5,7 +5,7 @@ mod record;
 
 use super::journal::{Cases, Evaluated};
 use super::wipings::{csv, header, heading, mean, row, runs_csv};
-use super::{Provenance, conclude, outcome, write};
+use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, write};
 use crate::args::{GlobalArgs, Table1Args};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -15,7 +15,8 @@ use std::path::Path;
 use wisch::plan::Strategy;
 use wisch::represent::Action;
 use wisch_eval::{
-    Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, WipingExtent, table1_rows,
+    Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, WipingExtent,
+    table1_figures, table1_rows,
 };
 use wisch_io::load_task;
 
@@ -46,6 +47,8 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
         },
     };
     let out = &args.out;
+    let is_executed = setup.extent == WipingExtent::Executed;
+    let evidence = begin_evidence(&args.evidence, Some((out, &args.journal)), is_executed)?;
     let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
     let rows = table1_rows(&runs);
     let own = || rows.iter().filter(|row| row.is_papers_own);
@@ -64,6 +67,15 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
     }
     let table = in_words(&record);
     conclude(out, "table1", &record, &table, args.json, global)?;
+    let figures = table1_figures(&record.rows, record.reached);
+    let counts = [record.runs.len(), all.len()];
+    finish_evidence(
+        evidence,
+        &record.provenance,
+        counts,
+        Some(&args.journal),
+        &figures,
+    )?;
     Ok(outcome(failed))
 }
 
