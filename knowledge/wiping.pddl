@@ -9,7 +9,7 @@
     (holding ?t - tool)
     (loaded ?t - tool)
     (on ?m - medium ?s - surface)
-    (wet ?s - surface)
+    (wet ?s - surface) ; while a liquid is on the surface: derived, no action states it
     (in-way ?d - medium ?m - medium ?s - surface)
     (can-absorb ?t - tool ?m - medium ?s - surface)
     (can-collect ?t - tool ?m - medium ?s - surface)
@@ -43,7 +43,7 @@
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-absorb ?t ?m ?s)
       (forall (?d - medium) (not (in-way ?d ?m ?s))))
-    :effect (and (absorbed ?m ?s) (loaded ?t) (not (on ?m ?s)) (not (wet ?s))
+    :effect (and (absorbed ?m ?s) (loaded ?t) (not (on ?m ?s))
       (forall (?o - medium) (not (in-way ?m ?o ?s)))))
 
   ; What is collected still lies on the surface, but in one place.
@@ -57,7 +57,7 @@
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-skim ?t ?m ?s)
       (forall (?d - medium) (not (in-way ?d ?m ?s))))
-    :effect (and (skimmed ?m ?s) (not (on ?m ?s)) (not (wet ?s))
+    :effect (and (skimmed ?m ?s) (not (on ?m ?s))
       (forall (?o - medium) (not (in-way ?m ?o ?s)))))
 
   ; What treats a surface brings its medium along.

@@ -211,7 +211,7 @@ fn faults_of_parts_name_their_place() {
         (
             "name = \"water\"",
             "name = \"water\"\n colour = 3",
-            "task.toml:16:2: [medium]: unknown key \"colour\"",
+            "task.toml:16:2: medium: unknown key \"colour\"",
         ),
         (
             "(absorbed water chopping_board)",

@@ -92,7 +92,15 @@ impl<'a> GoalTask<'a> {
         for (wiping, number) in wipings.iter().zip(1..) {
             progress.say(format!("planning {wiping} ({number} of {})", wipings.len()));
             let part = task.part(&situation, wiping, &[])?;
-            let loaded = load(&part, &KeptFiles::default())?;
+            let loaded = match load(&part, &KeptFiles::default()) {
+                Ok(loaded) => loaded,
+                // The file as a whole is valid; it lacks what this action needs.
+                Err(failure) => {
+                    let why = Expected::Impossible(failure.to_string());
+                    task.expected.insert(wiping.clone(), why);
+                    continue;
+                }
+            };
             let at = loaded.task.surface.world_from_surface.translation.vector;
             task.surfaces.insert(wiping.surface.clone(), at.into());
             let chosen = robot

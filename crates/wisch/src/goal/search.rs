@@ -14,7 +14,7 @@ const DERIVED: &str = "problem derived from the goal";
 /// about a second.
 const MAX_WORK: usize = 5_000_000;
 /// Largest work of a search on numbered facts with costs, whose steps are cheaper.
-const MAX_COSTED_WORK: usize = 50_000_000;
+const MAX_COSTED_WORK: usize = 100_000_000;
 
 /// A predicate or an action with its arguments, all of which are objects.
 pub(super) type Fact<'a> = Vec<&'a str>;
@@ -96,6 +96,8 @@ struct GroundProblem<'a> {
     start: Facts,
     /// Facts of the goal, whether each is to hold, and the least cost of reaching it, which no action reaches twice.
     goal: Vec<(usize, bool, f64)>,
+    /// Whether a fact of the goal that no action changes is not as it should be.
+    is_out_of_reach: bool,
 }
 
 impl<'a> Problem<'a> {
@@ -149,45 +151,55 @@ impl<'a> Problem<'a> {
         costs: &dyn StepCosts,
         work: &mut usize,
     ) -> Result<GroundProblem<'a>, GoalError> {
-        let number: BTreeMap<&Fact<'a>, usize> = reachable.iter().zip(0..).collect();
-        let numbers = |facts: Vec<Fact<'a>>| -> Vec<usize> {
-            facts
+        let bound = self.applicable(reachable, work)?;
+        let of = |literals: &'a [Literal], holds, (schema, binding): &Bound<'a>| -> Vec<Fact<'a>> {
+            let chosen = literals
                 .iter()
-                .filter_map(|fact| number.get(fact).copied())
+                .filter(move |literal| literal.holds == holds);
+            chosen
+                .flat_map(|literal| self.instances(literal, schema, binding))
                 .collect()
         };
+        // Facts that no action changes need no number: they hold if they hold initially.
+        let changed: BTreeSet<Fact<'a>> = (bound.iter())
+            .flat_map(|action| [true, false].map(|holds| of(&action.0.effects, holds, action)))
+            .flatten()
+            .filter(|fact| reachable.contains(fact))
+            .collect();
+        let number: BTreeMap<&Fact<'a>, usize> = changed.iter().zip(0..).collect();
+        let numbers = |facts: Vec<Fact<'a>>| -> Vec<usize> {
+            let numbers = facts.iter().filter_map(|fact| number.get(fact).copied());
+            numbers.collect()
+        };
         let mut actions = Vec::new();
-        for (schema, binding) in self.applicable(reachable, work)? {
+        for action in &bound {
+            let (schema, binding) = action;
             let step: Fact<'a> = std::iter::once(schema.name.as_str())
                 .chain(binding.iter().copied())
                 .collect();
-            let Some(least) = costs.least(&step) else {
+            let excluded = of(&schema.preconditions, false, action);
+            let never = excluded
+                .iter()
+                .any(|fact| !changed.contains(fact) && self.init.contains(fact));
+            let Some(least) = costs.least(&step).filter(|_| !never) else {
                 continue;
             };
-            let of = |literals: &'a [Literal], holds| {
-                let chosen = literals
-                    .iter()
-                    .filter(move |literal| literal.holds == holds);
-                numbers(
-                    chosen
-                        .flat_map(|literal| self.instances(literal, schema, &binding))
-                        .collect(),
-                )
-            };
             actions.push(GroundAction {
-                needs: of(&schema.preconditions, true),
-                excludes: of(&schema.preconditions, false),
-                adds: of(&schema.effects, true),
-                deletes: of(&schema.effects, false),
+                needs: numbers(of(&schema.preconditions, true, action)),
+                excludes: numbers(excluded),
+                adds: numbers(of(&schema.effects, true, action)),
+                deletes: numbers(of(&schema.effects, false, action)),
                 step,
                 least,
             });
         }
-        let mut start = vec![0; reachable.len().div_ceil(64)].into_boxed_slice();
+        let mut start = vec![0; changed.len().div_ceil(64)].into_boxed_slice();
         numbers(self.init.iter().cloned().collect())
             .iter()
             .for_each(|&fact| set(&mut start, fact, true));
-        // A fact that cannot become true does not hold.
+        // Other facts of the goal are as they should be, or the goal cannot be reached.
+        let is_out_of_reach = (self.goal.iter())
+            .any(|(holds, fact)| !changed.contains(fact) && self.init.contains(fact) != *holds);
         let goal: Vec<(usize, bool)> = (self.goal.iter())
             .filter_map(|(holds, fact)| Some((*number.get(fact)?, *holds)))
             .collect();
@@ -211,6 +223,7 @@ impl<'a> Problem<'a> {
             actions,
             start,
             goal,
+            is_out_of_reach,
         })
     }
 
@@ -365,6 +378,9 @@ impl GroundProblem<'_> {
     /// Returns the numbers of the actions of a plan of least cost (A*). The least costs of the parts of the goal that are
     /// still open never exceed the cost of the remaining steps, because actions that bring about several share their cost.
     fn search(&self, costs: &dyn StepCosts, place: usize) -> Result<Option<Vec<usize>>, GoalError> {
+        if self.is_out_of_reach {
+            return Ok(None);
+        }
         let mut work = 0;
         let limit = if costs.is_unit() {
             MAX_WORK

@@ -196,6 +196,8 @@ pub struct Situation<'a> {
     objects: Vec<(String, &'static str)>,
     facts: BTreeSet<Vec<String>>,
     on_surfaces: Vec<MediumOnSurface>,
+    /// Liquids, each on a surface, which is wet while the liquid is on it.
+    liquids: Vec<MediumOnSurface>,
 }
 
 impl<'a> Situation<'a> {
@@ -204,7 +206,7 @@ impl<'a> Situation<'a> {
     /// - `media`: the media on the surfaces, and those of treatments, which the tool brings along.
     /// - `tool_in_hand`, `tools`: the tool in the hand, and those that the robot can fetch.
     ///
-    /// The facts: what the hand holds; `(on m s)` for every medium that lies on a surface; `(wet s)` under a liquid;
+    /// The facts: what the hand holds; `(on m s)` for every medium that lies on a surface; `(wet s)` while a liquid lies on s;
     /// `(in-way d m s)` where d is loose dirt and m a liquid, or d is dirt and m the medium of a treatment; and
     /// `(can-action tool medium surface)` as the knowledge base has them.
     ///
@@ -224,6 +226,7 @@ impl<'a> Situation<'a> {
             objects: Vec::new(),
             facts: BTreeSet::new(),
             on_surfaces: media.to_vec(),
+            liquids: Vec::new(),
         };
         match tool_in_hand {
             Some(tool) => situation.add(["holding", tool]),
@@ -233,7 +236,8 @@ impl<'a> Situation<'a> {
             knowledge.tool(tool)?;
             situation.name(tool, "tool");
         }
-        for MediumOnSurface { medium, surface } in media {
+        for on in media {
+            let MediumOnSurface { medium, surface } = on;
             knowledge.surface(surface)?;
             situation.name(medium, "medium");
             situation.name(surface, "surface");
@@ -242,7 +246,7 @@ impl<'a> Situation<'a> {
                 situation.add(["on", medium, surface]);
             }
             if rank == LIQUID {
-                situation.add(["wet", surface]);
+                situation.liquids.push(on.clone());
             }
             for other in media.iter().filter(|other| other.surface == *surface) {
                 if rank < self::rank(knowledge, goal, &other.medium, surface)? {
@@ -258,7 +262,35 @@ impl<'a> Situation<'a> {
                 }
             }
         }
+        situation.wet();
         Ok(situation)
+    }
+
+    /// Derives which surfaces are wet.
+    fn wet(&mut self) {
+        self.facts.retain(|fact| fact[0] != WET);
+        let liquids = self.liquids.clone();
+        let wet = liquids.iter().filter(|liquid| {
+            let on = owned(&["on", &liquid.medium, &liquid.surface]);
+            self.facts.contains(&on)
+        });
+        let wet: Vec<&str> = wet.map(|liquid| liquid.surface.as_str()).collect();
+        for surface in wet {
+            self.add([WET, surface]);
+        }
+    }
+
+    /// Replaces the fact that a surface is not wet by those that no liquid lies on it; each fact with whether it is to hold.
+    fn expand(&self, holds: bool, part: &GoalLiteral) -> Vec<(bool, Vec<String>)> {
+        let part = with_declared_predicate(part, self.domain);
+        match part.arguments() {
+            [surface] if part.predicate() == WET && !holds => {
+                let liquids = self.liquids.iter().filter(|on| on.surface == *surface);
+                let facts = liquids.map(|on| (false, owned(&["on", &on.medium, surface])));
+                facts.collect()
+            }
+            _ => vec![(holds, part.words)],
+        }
     }
 
     /// Adds a fact, if the domain has its predicate.
@@ -300,6 +332,7 @@ impl<'a> Situation<'a> {
             }
         }
         self.facts = facts;
+        self.wet();
     }
 
     /// Rules a wiping action out from now on: the fact that the tool can do it no longer holds.
@@ -385,9 +418,10 @@ impl<'a> Situation<'a> {
         };
         (schema.effects.iter()).any(|effect| {
             let facts = problem.instances(effect, schema, &objects);
-            goal.parts.iter().any(|(holds, part)| {
-                let part = with_declared_predicate(part, self.domain);
-                *holds == effect.holds && facts.iter().any(|fact| part.words == owned(fact))
+            let wanted = goal.parts.iter();
+            let wanted = wanted.flat_map(|(holds, part)| self.expand(*holds, part));
+            wanted.into_iter().any(|(holds, words)| {
+                holds == effect.holds && facts.iter().any(|fact| words == owned(fact))
             })
         })
     }
@@ -426,20 +460,22 @@ impl<'a> Situation<'a> {
         place: StepPlace<'_>,
         times: &dyn StepTimes,
     ) -> Result<Sequence, GoalError> {
-        let parts: Vec<(bool, GoalLiteral)> = (goal.parts.iter())
-            .map(|(holds, part)| (*holds, with_declared_predicate(part, self.domain)))
+        let parts: Vec<(String, Vec<(bool, Vec<String>)>)> = (goal.parts.iter())
+            .map(|part| (describe_part(part), self.expand(part.0, &part.1)))
             .collect();
         let costs = Times {
             situation: self,
             places: self.places(place),
+            possible: self.possible_wipings(goal).into_iter().collect(),
             times,
         };
         let (mut reached, mut left_out) = (Vec::new(), Vec::new());
-        for part in &parts {
-            let problem = self.problem(vec![(part.0, as_fact(&part.1.words))]);
-            problem.check()?;
+        for ((stated, facts), (_, part)) in parts.iter().zip(&goal.parts) {
+            let wanted = facts.iter().map(|(holds, words)| (*holds, as_fact(words)));
+            let problem = self.problem(wanted.clone().collect());
+            self.check(part)?;
             if problem.cheapest_plan(&costs, 0)?.is_some() {
-                reached.push((part.0, as_fact(&part.1.words)));
+                reached.extend(wanted);
             } else {
                 let reasons = problem.unmet_preconditions()?;
                 let reason = if reasons.is_empty() {
@@ -447,7 +483,7 @@ impl<'a> Situation<'a> {
                 } else {
                     reasons.join("; ")
                 };
-                left_out.push((describe_part(part), reason));
+                left_out.push((stated.clone(), reason));
             }
         }
         let problem = self.problem(reached);
@@ -471,6 +507,12 @@ impl<'a> Situation<'a> {
             steps: steps.collect(),
             left_out,
         })
+    }
+
+    /// Rejects a part of a goal that does not fit the domain or names an object that is not in the situation.
+    fn check(&self, part: &GoalLiteral) -> Result<(), GoalError> {
+        let part = with_declared_predicate(part, self.domain);
+        self.problem(vec![(true, as_fact(&part.words))]).check()
     }
 
     /// The places of steps, the present one first.
@@ -506,6 +548,8 @@ fn as_fact(words: &[String]) -> Fact<'_> {
 struct Times<'a> {
     situation: &'a Situation<'a>,
     places: Vec<StepPlace<'a>>,
+    /// Wiping actions that may serve the goal; others only make the search longer.
+    possible: BTreeSet<Wiping>,
     times: &'a dyn StepTimes,
 }
 
@@ -526,7 +570,8 @@ impl Times<'_> {
         if let Some(wiping) = self.wiping(words) {
             let place = StepPlace::Surface(&wiping.surface);
             let index = self.places.iter().position(|other| *other == place);
-            return (self.times.wiping(&wiping), index.unwrap_or(present));
+            let time = (self.possible.contains(&wiping)).then(|| self.times.wiping(&wiping));
+            return (time.flatten(), index.unwrap_or(present));
         }
         let racks = words[1..].iter().filter_map(|word| {
             let place = StepPlace::Rack(word);
@@ -553,6 +598,8 @@ impl StepCosts for Times<'_> {
     }
 }
 
+/// Predicate of a surface on which a liquid lies, which no action states.
+const WET: &str = "wet";
 /// Loose dirt goes first, then liquids, then treatments.
 const LOOSE: u8 = 0;
 const LIQUID: u8 = 1;
