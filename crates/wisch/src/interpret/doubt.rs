@@ -33,6 +33,8 @@ const MOST_BIAS_CHANGE: f64 = 0.3;
 /// Largest distance [m] and angle [rad] between the tool's pose and that of the joint positions at
 /// which the log still shows where the tool was.
 const MOST_CONTRADICTION: [f64; 2] = [0.03, 0.2];
+/// Largest share of the dirt in occluded places at which an observation that contradicts the log still decides [1].
+const MOST_HIDDEN: f64 = 0.1;
 /// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -243,6 +245,11 @@ pub enum Doubt {
         believed: [f64; 2],
         /// Least number of detections of dirt that the tool never touched.
         untouched: f64,
+        /// Whether the observation shows more dirt than lay there before the log.
+        is_more_than_before: bool,
+        /// Share of the dirt in occluded places, about which the log may be as wrong as about the
+        /// observed places \[1\]; 0 unless the observation shows more dirt than touch predicts.
+        hidden_share: f64,
         /// Whether no earlier observation showed dirt, so that there is no evidence that the camera
         /// detects it.
         is_first: bool,
@@ -329,7 +336,11 @@ impl Doubt {
             Self::PositionsContradictPose { distance, angle } => {
                 *distance > MOST_CONTRADICTION[0] || *angle > MOST_CONTRADICTION[1]
             }
-            Self::ObservationContradicts { seen, believed, .. } => *seen as f64 > believed[1],
+            Self::ObservationContradicts {
+                is_more_than_before,
+                hidden_share,
+                ..
+            } => *is_more_than_before || *hidden_share > MOST_HIDDEN,
             Self::UnusableWrench { unusable, share } => unusable.lost_share(*share) > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::ForceInOtherUnit { .. }

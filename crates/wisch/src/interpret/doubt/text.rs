@@ -76,8 +76,13 @@ impl fmt::Display for Doubt {
                 seen,
                 left,
                 believed,
+                is_more_than_before,
+                hidden_share,
                 ..
-            } => write_contradiction(f, seen, left, believed),
+            } => {
+                write_contradiction(f, seen, left, believed, is_more_than_before)?;
+                write_hidden(f, hidden_share)
+            }
             Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
@@ -500,17 +505,30 @@ fn write_contradiction(
     seen: usize,
     [least, most]: [f64; 2],
     [fewest, all]: [f64; 2],
+    is_more_than_before: bool,
 ) -> fmt::Result {
     let advice = if (seen as f64) < least {
         "the observation may be incomplete, or the tool wiped more than the log shows"
-    } else if seen as f64 > all {
+    } else if is_more_than_before {
         "more than there were believed to be before: check the number of particles of the task"
     } else {
-        "the log may lack contact, or the tool has another effect than expected"
+        "the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
     };
     write!(
         f,
         "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
+    )
+}
+
+/// Writes how much of the dirt is hidden from an observation that shows more dirt than touch predicts.
+fn write_hidden(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    if share <= 0.0 {
+        return Ok(());
+    }
+    let percent = 100.0 * share;
+    write!(
+        f,
+        "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
     )
 }
 
