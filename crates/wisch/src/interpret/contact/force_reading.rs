@@ -7,9 +7,10 @@
 //! force, of any size and direction.
 
 use super::bias_change::{BiasChange, find_bias_change};
+use super::clock::clock_offset;
 use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
-use super::sensor::{SensorAxes, bias_and_noise, clock_offset, shift_forces};
+use super::sensor::{SensorAxes, bias_and_noise, shift_forces};
 use super::weighted::{median, mode, spread};
 use crate::geometry::{Point3, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig};
@@ -469,7 +470,12 @@ impl Scene<'_> {
 
     /// Whether a tool at a distance from the plane is clear of it.
     fn is_clear(&self, distance: f64) -> bool {
-        distance > FREE_DISTANCE.max(2.0 * self.config.nominal_compression())
+        distance > self.clear_distance()
+    }
+
+    /// Distance from the plane above which a tool is clear of it [m].
+    fn clear_distance(&self) -> f64 {
+        FREE_DISTANCE.max(2.0 * self.config.nominal_compression())
     }
 
     /// Returns the calm pieces clear of the plane with these distances [m].
@@ -490,7 +496,13 @@ impl Scene<'_> {
         if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
             return None;
         }
-        let clock_offset = clock_offset(self.pieces, &on, &free);
+        let clock_offset = if self.config.has_one_clock {
+            0.0
+        } else {
+            let low = SLIDING_DISTANCE.max(0.5 * self.config.nominal_compression());
+            let limits = [low, self.clear_distance()];
+            clock_offset(self.pieces, distances, limits, (&on, &free))
+        };
         let pieces = shift_forces(self.pieces, clock_offset);
         let axes = sensor_axes(&pieces, &on, &free);
         let (bias, _) = bias_and_noise(&pieces, &free, axes);

@@ -2,6 +2,7 @@
 
 mod bias_change;
 mod classification;
+mod clock;
 mod compression;
 mod curvature;
 mod downsampling;
