@@ -528,3 +528,66 @@ fn the_way_back_closely_above_a_single_stroke_is_not_taken_for_contact() {
     let pressed = found.pressed_force.expect("the tool pressed");
     assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
 }
+
+#[test]
+fn a_tare_before_the_first_contact_is_no_push() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let samples = samples_with_late_forces(&Script::default(), &task, 0);
+    let truth = interpreted_with(&samples, &task, &config);
+    let with = |force: &dyn Fn(f64) -> Vector3| {
+        let changed = samples.iter().map(|sample| TouchSample {
+            force: sample.force + force(sample.time),
+            ..*sample
+        });
+        interpreted_with(&changed.collect::<Vec<_>>(), &task, &config)
+    };
+    for bias in [[0.0, 0.0, 5.0], [0.0, 0.0, 25.0], [3.0, -2.0, -14.0]] {
+        for tare in [0.5, 1.5, 3.2] {
+            let bias = Vector3::from(bias);
+            let found = with(&|time| if time < tare { bias } else { Vector3::zeros() });
+            assert!(
+                matches!(found.doubts[..], [Doubt::TaredEarly { time, change }]
+                    if (time - tare).abs() < 0.03 && (change - bias.norm()).abs() < 0.1),
+                "{bias:?} {tare}: {:?}",
+                found.doubts
+            );
+            assert_eq!(events(&found, EventKind::Push), [], "{bias:?} {tare}");
+            assert_holds(&found, truth.performance.mean, "tare");
+        }
+    }
+    // A hand that pushes the hanging tool releases it gradually.
+    let push = |time: f64| (std::f64::consts::PI * (time - 0.5)).sin().max(0.0);
+    let pushed = with(&|time| Vector3::x() * if time < 1.5 { 8.0 * push(time) } else { 0.0 });
+    assert_eq!(events(&pushed, EventKind::Push).len(), 1);
+    assert_eq!(pushed.doubts, []);
+}
+
+#[test]
+fn poses_that_are_held_are_no_pushes() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let samples = samples_with_late_forces(&Script::default(), &task, 0);
+    let truth = interpreted_with(&samples, &task, &config);
+    for held in [10, 15, 20, 25, 40, 50] {
+        let mut samples = samples.clone();
+        for i in 0..samples.len() {
+            samples[i].world_from_tool = samples[i - i % held].world_from_tool;
+        }
+        let found = interpreted_with(&samples, &task, &config);
+        let expected = 0.01 * held as f64;
+        assert!(
+            matches!(found.doubts[..], [Doubt::HeldPoses { period }] if (period - expected).abs() < 0.011),
+            "{held}: {:?}",
+            found.doubts
+        );
+        assert_eq!(events(&found, EventKind::Push), [], "{held}");
+        assert_eq!(found.is_conclusive(), held <= 25, "{held}");
+        let estimate = found.performance;
+        let range = estimate.low - 0.05..=estimate.high + 0.05;
+        assert!(
+            range.contains(&truth.performance.mean),
+            "{held}: {estimate:?}"
+        );
+    }
+}

@@ -31,7 +31,16 @@ const FEWEST_STAYS: usize = 2;
 /// Begin and end of a stay or a pulse [s].
 type Span = [f64; 2];
 
-/// Returns the delay of the force's clock behind the position's [s]; 0 unless stays and pulses show another.
+/// Delay of the force's clock behind the position's.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct ClockOffset {
+    /// The delay [s].
+    pub(super) delay: f64,
+    /// Another delay that matches as many stays, if it is unknown which of them holds [s].
+    pub(super) other: Option<f64>,
+}
+
+/// Returns the delay of the force's clock behind the position's; 0 unless stays and pulses show another.
 ///
 /// # Parameters
 /// - `heights`: distances of the pieces from the plane [m].
@@ -42,12 +51,12 @@ pub(super) fn clock_offset(
     heights: &[f64],
     limits: [f64; 2],
     (on, free): (&[usize], &[usize]),
-) -> f64 {
+) -> ClockOffset {
     let stays = stays(pieces, heights, limits);
     let [at_rest, in_contact] =
         [free, on].map(|some| bias_and_noise(pieces, some, SensorAxes::Surface).0);
     let by_rest = best_offset(&stays, &pulses(pieces, at_rest, |_| true));
-    if by_rest != 0.0 || stays.len() < FEWEST_STAYS {
+    if by_rest.delay != 0.0 || stays.len() < FEWEST_STAYS {
         return by_rest;
     }
     // With a large offset, most stays are without force. A surface presses outwards.
@@ -102,7 +111,7 @@ fn pulses(
 }
 
 /// Returns the offset with which most stays match a pulse, or 0 if too few do.
-fn best_offset(stays: &[Span], pulses: &[Span]) -> f64 {
+fn best_offset(stays: &[Span], pulses: &[Span]) -> ClockOffset {
     let furthest = *OFFSETS.end();
     let near = |[begin, end]: Span| {
         let from = pulses.partition_point(|pulse| pulse[1] < end - furthest);
@@ -138,26 +147,29 @@ fn best_offset(stays: &[Span], pulses: &[Span]) -> f64 {
     tried.sort_unstable_by_key(|step| (step.abs(), *step));
     tried.dedup();
     let mut best = Vec::new();
-    for step in tried {
-        let matched = matches(f64::from(step) * STEP);
+    for step in &tried {
+        let matched = matches(f64::from(*step) * STEP);
         if matched.len() > best.len() {
             best = matched;
         }
     }
     if best.is_empty() || (best.len() as f64) < LEAST_MATCHED * stays.len() as f64 {
-        return 0.0;
+        return ClockOffset::default();
     }
     let usual = |delay: &dyn Fn(&[f64; 2]) -> f64| {
         median(best.iter().map(|both| (delay(both), 1.0)).collect())
     };
-    let offset = usual(&|[first, last]| 0.5 * (first + last));
+    let delay = usual(&|[first, last]| 0.5 * (first + last));
     let ends = [usual(&|both| both[0]), usual(&|both| both[1])];
-    let is_alike = (ends.iter()).all(|end| end * offset.signum() >= LEAST_OF_EACH * offset.abs());
-    if is_alike && OFFSETS.contains(&offset.abs()) {
-        offset
-    } else {
-        0.0
+    let is_alike = (ends.iter()).all(|end| end * delay.signum() >= LEAST_OF_EACH * delay.abs());
+    if !is_alike || !OFFSETS.contains(&delay.abs()) {
+        return ClockOffset::default();
     }
+    // Strokes that follow each other regularly match at several offsets if a part of their force is not in the log.
+    let mut others = tried.iter().map(|step| f64::from(*step) * STEP);
+    let other = others
+        .find(|other| (other - delay).abs() > 2.0 * MATCHED && matches(*other).len() >= best.len());
+    ClockOffset { delay, other }
 }
 
 #[cfg(test)]
@@ -178,9 +190,16 @@ mod tests {
                 .map(|stay| stay.map(|at| at + offset))
                 .collect();
             let found = best_offset(&stays, &pulses);
-            assert!((found - offset).abs() < 1e-9, "{offset}: {found}");
+            let is_found = (found.delay - offset).abs() < 1e-9 && found.other.is_none();
+            assert!(is_found, "{offset}: {found:?}");
         }
-        assert_eq!(best_offset(&stays, &stays), 0.0);
+        assert_eq!(best_offset(&stays, &stays), ClockOffset::default());
+        // Without the force of the first stay, the pulses may belong to the stays before.
+        let cut: Vec<Span> = (stays[1..].iter())
+            .map(|stay| stay.map(|at| at - 0.8))
+            .collect();
+        let found = best_offset(&stays, &cut);
+        assert!(found.other.is_some(), "{found:?}");
     }
 
     #[test]
@@ -202,7 +221,11 @@ mod tests {
             (&[[1.0, 7.0]], vec![[4.0, 7.0]]),
             (&[[1.0, 7.0]], vec![[0.0, 1.0], [4.0, 8.0]]),
         ] {
-            assert_eq!(best_offset(stays, &pulses), 0.0, "{pulses:?}");
+            assert_eq!(
+                best_offset(stays, &pulses),
+                ClockOffset::default(),
+                "{pulses:?}"
+            );
         }
     }
 }

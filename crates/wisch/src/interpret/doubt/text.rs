@@ -1,7 +1,7 @@
 //! The texts of doubts for people.
 
 use super::force_unit::describe_units;
-use super::{Doubt, LEAST_NEAR, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
+use super::{Doubt, LEAST_NEAR, LONGEST_PERIOD, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
 use crate::interpret::contact::{ContactLevel, STIFFEST};
 use crate::interpret::wrench_quality::UnusableWrenches;
 use std::fmt;
@@ -64,6 +64,17 @@ impl fmt::Display for Doubt {
                 first,
             } => write_jumps(f, left_out, share, lasting, first),
             Self::Sparse { period } => write_sparse(f, period),
+            Self::HeldPoses { period } => write_held(f, period),
+            Self::TaredEarly { time, change } => write!(
+                f,
+                "the force changes by {change:.1} N at {time:.2} s, before the first contact, as if the sensor was tared: samples before it are left out"
+            ),
+            Self::ClocksUncertain {
+                offsets: [one, other],
+            } => write!(
+                f,
+                "the clocks of force and position differ, but the log fits a force that is late by {one:.2} s as well as by {other:.2} s: record both with one clock, and begin and end in free motion"
+            ),
             Self::BiasChange {
                 change,
                 share,
@@ -149,6 +160,19 @@ fn write_sparse(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
     write!(
         f,
         "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
+    )
+}
+
+/// Writes [`Doubt::HeldPoses`].
+fn write_held(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
+    let way = if period > LONGEST_PERIOD {
+        "which is too slow to show contact"
+    } else {
+        "and was interpolated"
+    };
+    write!(
+        f,
+        "the pose changes only every {period:.2} s, {way}: record at least 5 poses per second, better 50"
     )
 }
 
