@@ -556,6 +556,17 @@ fn a_tare_before_the_first_contact_is_no_push() {
             assert_holds(&found, truth.performance.mean, "tare");
         }
     }
+    // A force that is gone in the last free motion is no bias.
+    let early = with(&|time| {
+        Vector3::z()
+            * if (2.0..3.5).contains(&time) {
+                10.0
+            } else {
+                0.0
+            }
+    });
+    let is_tare = |doubt: &Doubt| matches!(doubt, Doubt::TaredEarly { .. });
+    assert!(!early.doubts.iter().any(is_tare), "{:?}", early.doubts);
     // A hand that pushes the hanging tool releases it gradually.
     let push = |time: f64| (std::f64::consts::PI * (time - 0.5)).sin().max(0.0);
     let pushed = with(&|time| Vector3::x() * if time < 1.5 { 8.0 * push(time) } else { 0.0 });

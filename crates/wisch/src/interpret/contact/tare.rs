@@ -44,7 +44,18 @@ pub(in crate::interpret) fn find_early_tare(
     }
     let step = |k: &usize| (hang[k + 1].force - hang[k - 1].force).norm();
     let at = (FEWEST..hang.len() - FEWEST - 1).max_by(|a, b| step(a).total_cmp(&step(b)))?;
+    // The force after a tare is that of the last free motion. An early force of contact is not.
+    let is_up = |piece: &&MeasuredPiece| piece.mean_height >= lowest + config.free_height_m;
+    let later = pieces[hang.len()..].iter().rev().filter(is_up);
+    let later: Vec<MeasuredPiece> = later.take(FEWEST).copied().collect();
+    if later.len() < FEWEST {
+        return None;
+    }
     let [before, after] = [&hang[..at], &hang[at + 1..]].map(steady_force);
+    let last = steady_force(&later).middle;
+    if (last - after.middle).norm() >= (last - before.middle).norm() {
+        return None;
+    }
     let change = (after.middle - before.middle).norm();
     let [share, by_noise] = LEAST_CHANGE;
     let noise = before.usual.max(after.usual);

@@ -65,16 +65,8 @@ impl fmt::Display for Doubt {
             } => write_jumps(f, left_out, share, lasting, first),
             Self::Sparse { period } => write_sparse(f, period),
             Self::HeldPoses { period } => write_held(f, period),
-            Self::TaredEarly { time, change } => write!(
-                f,
-                "the force changes by {change:.1} N at {time:.2} s, before the first contact, as if the sensor was tared: samples before it are left out"
-            ),
-            Self::ClocksUncertain {
-                offsets: [one, other],
-            } => write!(
-                f,
-                "the clocks of force and position differ, but the log fits a force that is late by {one:.2} s as well as by {other:.2} s: record both with one clock, and begin and end in free motion"
-            ),
+            Self::TaredEarly { time, change } => write_tared(f, time, change),
+            Self::ClocksUncertain { offsets } => write_uncertain_clocks(f, offsets),
             Self::BiasChange {
                 change,
                 share,
@@ -83,17 +75,7 @@ impl fmt::Display for Doubt {
             Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
-            Self::ObservationContradicts {
-                seen,
-                left,
-                believed,
-                is_more_than_before,
-                hidden_share,
-                ..
-            } => {
-                write_contradiction(f, seen, left, believed, is_more_than_before)?;
-                write_hidden(f, hidden_share)
-            }
+            Self::ObservationContradicts { .. } => write_contradiction(f, self),
             Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
@@ -173,6 +155,22 @@ fn write_held(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
     write!(
         f,
         "the pose changes only every {period:.2} s, {way}: record at least 5 poses per second, better 50"
+    )
+}
+
+/// Writes [`Doubt::TaredEarly`].
+fn write_tared(f: &mut fmt::Formatter<'_>, time: f64, change: f64) -> fmt::Result {
+    write!(
+        f,
+        "the force changes by {change:.1} N at {time:.2} s, before the first contact, as if the sensor was tared: samples before it are left out"
+    )
+}
+
+/// Writes [`Doubt::ClocksUncertain`].
+fn write_uncertain_clocks(f: &mut fmt::Formatter<'_>, [one, other]: [f64; 2]) -> fmt::Result {
+    write!(
+        f,
+        "the clocks of force and position differ, but the log fits a force that is late by {one:.2} s as well as by {other:.2} s: record both with one clock, and begin and end in free motion"
     )
 }
 
@@ -524,16 +522,21 @@ fn write_unusable(
 }
 
 /// Writes [`Doubt::ObservationContradicts`].
-fn write_contradiction(
-    f: &mut fmt::Formatter<'_>,
-    seen: usize,
-    [least, most]: [f64; 2],
-    [fewest, all]: [f64; 2],
-    is_more_than_before: bool,
-) -> fmt::Result {
-    let advice = if (seen as f64) < least {
+fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result {
+    let Doubt::ObservationContradicts {
+        seen,
+        left: [least, most],
+        believed: [fewest, all],
+        is_more_than_before,
+        hidden_share,
+        ..
+    } = doubt
+    else {
+        return Ok(());
+    };
+    let advice = if (*seen as f64) < *least {
         "the observation may be incomplete, or the tool wiped more than the log shows"
-    } else if is_more_than_before {
+    } else if *is_more_than_before {
         "more than there were believed to be before: check the number of particles of the task"
     } else {
         "the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
@@ -541,15 +544,11 @@ fn write_contradiction(
     write!(
         f,
         "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
-    )
-}
-
-/// Writes how much of the dirt is hidden from an observation that shows more dirt than touch predicts.
-fn write_hidden(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
-    if share <= 0.0 {
+    )?;
+    if *hidden_share <= 0.0 {
         return Ok(());
     }
-    let percent = 100.0 * share;
+    let percent = 100.0 * hidden_share;
     write!(
         f,
         "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
