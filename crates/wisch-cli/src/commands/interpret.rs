@@ -370,7 +370,11 @@ fn interpret_samples(
     goal: &GoalState,
 ) -> Result<Interpretation, Failure> {
     let task = &prepared.task;
-    let config = InterpretConfig::from_task(task);
+    let config = InterpretConfig {
+        // Bags that wisch has written state the round. They hold the samples of an executor.
+        has_one_clock: log.round.is_some(),
+        ..InterpretConfig::from_task(task)
+    };
     let interpreted = || {
         let mut interpreter = Interpreter::new(task, &config)?;
         interpreter.skip(log.unusable);

@@ -45,6 +45,9 @@ pub struct InterpretConfig {
     pub free_height_m: f64,
     /// Largest distance of the real surface from the believed one \[m\].
     pub search_height_m: f64,
+    /// Whether each sample holds pose and force of the same instant, as those of an executor do.
+    /// Otherwise the force may be early or late, and is aligned.
+    pub has_one_clock: bool,
     /// Thresholds of the events.
     pub events: EventConfig,
     /// Maximum number of pieces that a log is reduced to; beyond it, neighbouring pieces are merged.
@@ -232,6 +235,7 @@ impl InterpretConfig {
             relocalize_offset_m: 0.003,
             free_height_m: 0.015,
             search_height_m: 0.05,
+            has_one_clock: false,
             events: EventConfig::default(),
             max_pieces: 1 << 20,
             seed: task.seed,

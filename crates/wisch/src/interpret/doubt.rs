@@ -30,9 +30,13 @@ const PLAUSIBLE_FORCE: std::ops::RangeInclusive<f64> = 0.2..=5.0;
 /// Largest change of the bias over the press force at which contact still differs from free motion
 /// [1].
 const MOST_BIAS_CHANGE: f64 = 0.3;
+/// Longest median time between samples, or between changes of the pose, that shows contact [s].
+pub(super) const LONGEST_PERIOD: f64 = 0.3;
 /// Largest distance [m] and angle [rad] between the tool's pose and that of the joint positions at
 /// which the log still shows where the tool was.
 const MOST_CONTRADICTION: [f64; 2] = [0.03, 0.2];
+/// Largest share of the dirt in occluded places at which an observation that contradicts the log still decides [1].
+const MOST_HIDDEN: f64 = 0.1;
 /// Largest lean of a tool whose underside still faces the surface [rad]; 60°, a cosine of 0.5.
 const MOST_LEAN: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -202,6 +206,23 @@ pub enum Doubt {
         /// Median time between two samples \[s\].
         period: f64,
     },
+    /// The pose changes at a lower rate than the samples follow each other; it was interpolated.
+    HeldPoses {
+        /// Time between two changes of the pose \[s\].
+        period: f64,
+    },
+    /// The force sensor was tared before the first contact; the samples before it were left out.
+    TaredEarly {
+        /// Time of the tare \[s\].
+        time: f64,
+        /// Size of the change \[N\].
+        change: f64,
+    },
+    /// The force shows that the clocks of force and position differ, but not by how much.
+    ClocksUncertain {
+        /// Two delays of the force that match landings and lifts of the tool equally well \[s\].
+        offsets: [f64; 2],
+    },
     /// The bias of the force differs between two free motions: it drifts, or the sensor was tared in between.
     BiasChange {
         /// Size of the change \[N\].
@@ -243,6 +264,11 @@ pub enum Doubt {
         believed: [f64; 2],
         /// Least number of detections of dirt that the tool never touched.
         untouched: f64,
+        /// Whether the observation shows more dirt than lay there before the log.
+        is_more_than_before: bool,
+        /// Share of the dirt in occluded places, about which the log may be as wrong as about the
+        /// observed places \[1\]; 0 unless the observation shows more dirt than touch predicts.
+        hidden_share: f64,
         /// Whether no earlier observation showed dirt, so that there is no evidence that the camera
         /// detects it.
         is_first: bool,
@@ -325,11 +351,16 @@ impl Doubt {
             } => *matters > MOST_BY_SCALE || !PLAUSIBLE_FORCE.contains(&(force / declared)),
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
+            Self::HeldPoses { period } => *period > LONGEST_PERIOD,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::PositionsContradictPose { distance, angle } => {
                 *distance > MOST_CONTRADICTION[0] || *angle > MOST_CONTRADICTION[1]
             }
-            Self::ObservationContradicts { seen, believed, .. } => *seen as f64 > believed[1],
+            Self::ObservationContradicts {
+                is_more_than_before,
+                hidden_share,
+                ..
+            } => *is_more_than_before || *hidden_share > MOST_HIDDEN,
             Self::UnusableWrench { unusable, share } => unusable.lost_share(*share) > MOST_UNUSABLE,
             Self::NoContactForce { .. }
             | Self::ForceInOtherUnit { .. }
@@ -346,12 +377,14 @@ impl Doubt {
             | Self::ContactFarFromSurface { .. }
             | Self::ContactBesideSurface { .. }
             | Self::Sparse { .. }
+            | Self::ClocksUncertain { .. }
             | Self::TooSteep { .. }
             | Self::Scattered { .. } => true,
             Self::StiffnessDiffers { .. }
             | Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }
+            | Self::TaredEarly { .. }
             | Self::LoadInAir { .. }
             | Self::Incomplete { .. }
             | Self::UnprovenCamera

@@ -5,7 +5,7 @@ use super::config::{InterpretConfig, OtherForce};
 use super::contact::{
     ClassifiedPath, ContactClassifier, ContactLevels, Downsampler, FittedPlane, ForceReading,
     MeasuredPiece, MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness,
-    TouchSample, find_stiffness, median, middle,
+    TouchSample, find_early_tare, find_stiffness, interpolate_held_poses, median, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
@@ -18,6 +18,7 @@ use crate::represent::{
     DirtSlide, Effect, FilmFlow, GoalState, ParticleDistribution, ParticleError, Surface, Task,
 };
 use nalgebra::{Translation3, UnitQuaternion};
+use std::borrow::Cow;
 
 /// Time before and after a push during which the force includes the hand's [s].
 const SETTLING: f64 = 0.5;
@@ -271,13 +272,18 @@ impl Interpreter {
     /// Classifies the pieces. If the force differs from the declared one, either the sensor has
     /// another scale, or the tool presses with another force and is compressed by another distance.
     /// The cause for which the surface is nearer to the believed one is taken.
-    fn level(&self, reading: &ForceReading, reference: f64) -> LeveledLog {
-        let by_scale = self.level_by(reading, reference, OtherForce::Scale);
+    fn level(
+        &self,
+        measured: &[MeasuredPiece],
+        reading: &ForceReading,
+        reference: f64,
+    ) -> LeveledLog {
+        let by_scale = self.level_by(measured, reading, reference, OtherForce::Scale);
         let is_declared = reference == self.config.nominal_force();
         if is_declared || self.config.stiffness().is_none() {
             return by_scale;
         }
-        let by_press = self.level_by(reading, reference, OtherForce::Press);
+        let by_press = self.level_by(measured, reading, reference, OtherForce::Press);
         let offsets = [&by_press, &by_scale].map(|leveled| leveled.offset(&self.surface));
         let nearer = if offsets[0] < offsets[1] {
             by_press
@@ -290,8 +296,14 @@ impl Interpreter {
         }
     }
 
-    fn level_by(&self, reading: &ForceReading, reference: f64, cause: OtherForce) -> LeveledLog {
-        let mut pieces = reading.apply(self.downsampler.pieces(), &self.config);
+    fn level_by(
+        &self,
+        measured: &[MeasuredPiece],
+        reading: &ForceReading,
+        reference: f64,
+        cause: OtherForce,
+    ) -> LeveledLog {
+        let mut pieces = reading.apply(measured, &self.config);
         let config = self.config.with_reference_force(reference, cause);
         let compression = config.nominal_compression();
         let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, &config);
@@ -331,7 +343,8 @@ impl Interpreter {
 
     /// Reads the forces, classifies the pieces and detects the events.
     fn analyse(&self) -> LogAnalysis {
-        let measured = self.downsampler.pieces();
+        let (measured, corrections) = self.correct_pieces();
+        let measured = &measured[..];
         let reading = ForceReading::of(measured, &self.surface, &self.config);
         let reference = reading.reference_force(self.config.nominal_force());
         let LeveledLog {
@@ -341,7 +354,7 @@ impl Interpreter {
             levels,
             classified,
             offsets,
-        } = self.level(&reading, reference);
+        } = self.level(measured, &reading, reference);
         let pieces = &pieces;
         let classifier = self.classifier(&config, reference, levels);
         let believed_from_real = classified
@@ -383,6 +396,7 @@ impl Interpreter {
             config: &config,
         };
         let mut doubts = evidence.doubts();
+        doubts.extend(corrections);
         // In a wrong unit of length, a tool that moves jumps.
         if !matches!(doubts[..], [Doubt::FarAway { .. }]) {
             doubts.extend(self.find_jumps());
@@ -426,6 +440,23 @@ impl Interpreter {
             found_stiffness,
             is_low,
         }
+    }
+
+    /// Returns the pieces with interpolated poses if they were held, and without those before a tare that precedes the first
+    /// contact; with the assumptions made.
+    fn correct_pieces(&self) -> (Cow<'_, [MeasuredPiece]>, Vec<Doubt>) {
+        let mut pieces = Cow::Borrowed(self.downsampler.pieces());
+        let mut doubts = Vec::new();
+        if let Some((interpolated, period)) = interpolate_held_poses(&pieces) {
+            pieces = Cow::Owned(interpolated);
+            doubts.push(Doubt::HeldPoses { period });
+        }
+        if let Some(tare) = find_early_tare(&pieces, &self.config) {
+            pieces = Cow::Owned(pieces[tare.pieces..].to_vec());
+            let (time, change) = (tare.time, tare.change);
+            doubts.push(Doubt::TaredEarly { time, change });
+        }
+        (pieces, doubts)
     }
 
     fn find_unusable(&self) -> Option<Doubt> {
@@ -676,7 +707,11 @@ fn leave_out_false_pushes(
     pieces: &[MeasuredPiece],
     reading: &ForceReading,
 ) {
-    if doubts.iter().any(Doubt::is_other_surface) {
+    let is_held = |doubt: &Doubt| matches!(doubt, Doubt::HeldPoses { .. }) && doubt.is_decisive();
+    if doubts
+        .iter()
+        .any(|doubt| doubt.is_other_surface() || is_held(doubt))
+    {
         // A force off the plane is a contact with another surface, not the force of a hand.
         events.retain(|event| !event.kind.is_by_hand());
     }

@@ -5,7 +5,7 @@ use super::contact::{
     ClassifiedPath, ContactLevels, ContactShape, ForceReading, MeasuredPiece, PathPiece,
     PressDirection, ShapeFit, ToolStiffness, is_inland,
 };
-use super::doubt::{Doubt, FAR, NEAR, fits_other_unit};
+use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
 use crate::geometry::Point3;
 use crate::represent::Surface;
@@ -53,8 +53,6 @@ const UNUSUAL: f64 = 5.0;
 const MANY_GAPS: f64 = 0.1;
 /// Travel during a gap in the air from which the tool may have wiped in it [m].
 const TRAVEL_IN_GAP: f64 = 0.02;
-/// Longest median time between samples that shows contact [s].
-const LONGEST_PERIOD: f64 = 0.3;
 /// Least change of the bias over the press force that is stated [1].
 const LEAST_BIAS_CHANGE: f64 = 0.2;
 /// Least lean of a tool that is stated [rad]; 12°, with which a pad presses with one edge only.
@@ -411,7 +409,12 @@ impl LogEvidence<'_> {
                 offsets: self.offsets,
             });
         let offset = reading.clock_offset;
-        let clocks = (offset != 0.0).then_some(Doubt::ClockOffset { offset });
+        let clocks = match reading.other_clock_offset {
+            Some(other) => Some(Doubt::ClocksUncertain {
+                offsets: [offset, other],
+            }),
+            None => (offset != 0.0).then_some(Doubt::ClockOffset { offset }),
+        };
         let stiffness = self.found_stiffness.map(|found| found.n_per_m);
         let stiffness = stiffness.zip(self.declared.stiffness());
         let stiffness = stiffness

@@ -474,3 +474,90 @@ fn what_is_gone_went_over_the_edge_over_which_the_tool_wiped() {
         );
     }
 }
+
+/// A camera with false alarms that detects this share of the grains.
+fn camera(detection: f64) -> Sight {
+    Sight {
+        sensor: SensorModel {
+            false_alarms_per_m2: 2.0,
+            position_error_m: 1e-3,
+            ..SHARP.sensor
+        },
+        detection,
+    }
+}
+
+/// A member from 58 to 62 grains, none of which any member expects to withstand the tool.
+fn clean_after_wiping(task: &Task) -> wisch::interpret::Interpretation {
+    let members = (0..64).map(|k| {
+        let some = task.particles.remaining().take(58 + k % 5);
+        ParticleDistribution::new(&some.collect::<Vec<_>>()).unwrap()
+    });
+    let belief = Belief::from_members(members.collect()).unwrap();
+    let felt = interpreted_from(&belief, task, &InterpretConfig::from_task(task));
+    assert!(felt.performance.low > 0.7, "{:?}", felt.performance);
+    felt
+}
+
+#[test]
+fn dirt_that_a_camera_detects_where_no_member_has_any_is_dirt() {
+    let goal = GoalState::Absorbed;
+    let task = task(62, LogNormal { mu: -4.0, ..STEEP });
+    let felt = clean_after_wiping(&task);
+    // Every `nth` grain is missed by the camera, at the rate that the sensor states.
+    for (nth, sight) in [(40, camera(0.98)), (5, camera(0.8)), (2, camera(0.5))] {
+        let there = task.particles.remaining().take(60).enumerate();
+        let seen = Observation {
+            detections: (there.filter(|(i, _)| i % nth != 0))
+                .map(|(_, place)| place)
+                .collect(),
+            hidden: Region::default(),
+        };
+        let mut felt = felt.clone();
+        felt.observe(&ObservationUpdate {
+            sight,
+            ..update(&task, &goal, &seen)
+        });
+        let estimate = felt.performance;
+        let is_contradicted =
+            (felt.doubts.iter()).any(|doubt| matches!(doubt, Doubt::ObservationContradicts { .. }));
+        assert!(is_contradicted && felt.is_conclusive(), "{nth}");
+        assert!(estimate.low < 0.02, "{nth}: {estimate:?}");
+        assert!(
+            estimate.high < 0.4 / nth as f64 + 0.1,
+            "{nth}: {estimate:?}"
+        );
+    }
+    // A single detection where there should be none is a false alarm.
+    let seen = Observation {
+        detections: vec![Point2::new(0.0, 0.0)],
+        hidden: Region::default(),
+    };
+    let mut alarmed = felt;
+    alarmed.observe(&ObservationUpdate {
+        sight: camera(0.98),
+        ..update(&task, &goal, &seen)
+    });
+    assert!(alarmed.performance.mean > 0.95, "{:?}", alarmed.performance);
+}
+
+#[test]
+fn a_camera_that_contradicts_the_log_leaves_hidden_dirt_unknown() {
+    let goal = GoalState::Absorbed;
+    let task = task(62, LogNormal { mu: -4.0, ..STEEP });
+    let mut felt = clean_after_wiping(&task);
+    let corners = [[0.0, -0.3], [0.3, -0.3], [0.3, 0.3], [0.0, 0.3]];
+    let right = corners.map(|[x, y]| Point2::new(x, y)).to_vec();
+    let hidden = Region::new(vec![Polygon::new(right, vec![])]);
+    let there = task.particles.remaining();
+    let seen = Observation {
+        detections: there.filter(|place| !hidden.contains(*place)).collect(),
+        hidden,
+    };
+    felt.observe(&ObservationUpdate {
+        sight: camera(0.98),
+        ..update(&task, &goal, &seen)
+    });
+    let estimate = felt.performance;
+    assert!(!felt.is_conclusive() && estimate.low < 0.15, "{estimate:?}");
+}

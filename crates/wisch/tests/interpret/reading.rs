@@ -165,28 +165,118 @@ fn a_wrench_of_the_other_sign_or_of_another_frame_is_read_and_said() {
     );
 }
 
-#[test]
-fn forces_with_another_clock_are_aligned() {
-    let truth = interpreted(&Script::default()).performance.mean;
+/// Samples at 100 Hz whose forces are measured later by this number of samples, with a hang of 3.5 s before and after them.
+fn samples_with_late_forces(script: &Script, task: &Task, late: i32) -> Vec<TouchSample> {
     let script = Script {
         rate: 100.0,
+        ..script.clone()
+    };
+    let moving = script.samples(task);
+    let [first, last] = [&moving[0], &moving[moving.len() - 1]];
+    let hang = |at: &TouchSample| TouchSample {
+        force: Vector3::zeros(),
+        ..*at
+    };
+    let before = vec![hang(first); 350];
+    let after = vec![hang(last); 350];
+    let mut samples = [before, moving, after].concat();
+    let forces: Vec<Vector3> = samples.iter().map(|sample| sample.force).collect();
+    let count = i32::try_from(samples.len()).unwrap();
+    for (i, sample) in (0..).zip(&mut samples) {
+        sample.time = 0.01 * f64::from(i);
+        sample.force = forces[usize::try_from((i - late).clamp(0, count - 1)).unwrap()];
+    }
+    samples
+}
+
+#[test]
+fn forces_with_another_clock_are_aligned() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let few = Script::default();
+    let many = Script {
+        strokes: [-0.1, -0.05, 0.0, 0.05, 0.1]
+            .map(|y| [Point2::new(-0.13, y), Point2::new(0.13, y)])
+            .to_vec(),
+        speed: 0.25,
         ..Script::default()
     };
-    let task = task(80, STEEP);
-    let mut samples = script.samples(&task);
-    let late = 40;
-    let forces: Vec<Vector3> = samples.iter().map(|sample| sample.force).collect();
-    for (i, sample) in samples.iter_mut().enumerate() {
-        sample.force = forces[i.saturating_sub(late)];
+    for script in [&few, &many] {
+        let truth = interpreted_with(&samples_with_late_forces(script, &task, 0), &task, &config);
+        assert_eq!(truth.doubts, []);
+        for late in [-290, -130, -40, -10, 10, 18, 40, 70, 100, 160, 200, 290] {
+            let samples = samples_with_late_forces(script, &task, late);
+            let found = interpreted_with(&samples, &task, &config);
+            let expected = 0.01 * f64::from(late);
+            assert!(
+                matches!(found.doubts[..], [Doubt::ClockOffset { offset }] if (offset - expected).abs() < 0.04),
+                "{late}: {:?}",
+                found.doubts
+            );
+            assert_holds(&found, truth.performance.mean, "clock");
+            assert_eq!(events(&found, EventKind::Push), [], "{late}");
+            // Samples of one clock are read as they are.
+            let config = InterpretConfig {
+                has_one_clock: true,
+                ..config.clone()
+            };
+            let found = interpreted_with(&samples, &task, &config);
+            let is_shifted = |doubt: &Doubt| matches!(doubt, Doubt::ClockOffset { .. });
+            assert!(!found.doubts.iter().any(is_shifted), "{late}");
+        }
     }
-    let found = interpreted_with(&samples, &task, &InterpretConfig::from_task(&task));
-    assert_holds(&found, truth, "clock");
-    assert!(
-        matches!(found.doubts[..], [Doubt::ClockOffset { offset }] if (offset - 0.4).abs() < 0.1),
-        "{:?}",
-        found.doubts
-    );
-    assert_eq!(events(&found, EventKind::Push), []);
+}
+
+#[test]
+fn a_lost_contact_is_no_clock_offset() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    // One stroke to and fro over the board, without a lift.
+    let corners = [-0.08, 0.0, 0.08].map(|y| [Point2::new(-0.13, y), Point2::new(0.13, y)]);
+    let ways = corners.iter().enumerate().flat_map(|(i, [left, right])| {
+        let [from, to] = if i % 2 == 0 {
+            [left, right]
+        } else {
+            [right, left]
+        };
+        [*from, *to]
+    });
+    let ways: Vec<Point2> = ways.collect();
+    let parts: [fn(Point2) -> f64; 4] = [
+        |place| if place.y < 0.0 { PRESS } else { 0.0 },
+        |place| if place.y > 0.0 { PRESS } else { 0.0 },
+        |place| if place.y < 0.04 { PRESS } else { 0.0 },
+        |place| if place.x < 0.0 { PRESS } else { 0.0 },
+    ];
+    for speed in [0.1, 0.2, 0.3, 0.4] {
+        for (k, press) in parts.into_iter().enumerate() {
+            let script = Script {
+                strokes: ways.windows(2).map(|pair| [pair[0], pair[1]]).collect(),
+                speed,
+                press,
+                ..Script::default()
+            };
+            let found = interpreted_with(&script.samples(&task), &task, &config);
+            let is_misread = |doubt: &Doubt| {
+                matches!(
+                    doubt,
+                    Doubt::ClockOffset { .. }
+                        | Doubt::WrenchSignInverted
+                        | Doubt::BiasChange { .. }
+                )
+            };
+            assert!(
+                !found.doubts.iter().any(is_misread),
+                "{speed} {k}: {:?}",
+                found.doubts
+            );
+            assert!(
+                found.performance.high < 0.9,
+                "{speed} {k}: {:?}",
+                found.performance
+            );
+        }
+    }
 }
 
 #[test]
@@ -437,4 +527,78 @@ fn the_way_back_closely_above_a_single_stroke_is_not_taken_for_contact() {
     assert!(!found.doubts.iter().any(misread), "{:?}", found.doubts);
     let pressed = found.pressed_force.expect("the tool pressed");
     assert!((pressed / PRESS - 1.0).abs() < 0.05, "{pressed}");
+}
+
+#[test]
+fn a_tare_before_the_first_contact_is_no_push() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let samples = samples_with_late_forces(&Script::default(), &task, 0);
+    let truth = interpreted_with(&samples, &task, &config);
+    let with = |force: &dyn Fn(f64) -> Vector3| {
+        let changed = samples.iter().map(|sample| TouchSample {
+            force: sample.force + force(sample.time),
+            ..*sample
+        });
+        interpreted_with(&changed.collect::<Vec<_>>(), &task, &config)
+    };
+    for bias in [[0.0, 0.0, 5.0], [0.0, 0.0, 25.0], [3.0, -2.0, -14.0]] {
+        for tare in [0.5, 1.5, 3.2] {
+            let bias = Vector3::from(bias);
+            let found = with(&|time| if time < tare { bias } else { Vector3::zeros() });
+            assert!(
+                matches!(found.doubts[..], [Doubt::TaredEarly { time, change }]
+                    if (time - tare).abs() < 0.03 && (change - bias.norm()).abs() < 0.1),
+                "{bias:?} {tare}: {:?}",
+                found.doubts
+            );
+            assert_eq!(events(&found, EventKind::Push), [], "{bias:?} {tare}");
+            assert_holds(&found, truth.performance.mean, "tare");
+        }
+    }
+    // A force that is gone in the last free motion is no bias.
+    let early = with(&|time| {
+        Vector3::z()
+            * if (2.0..3.5).contains(&time) {
+                10.0
+            } else {
+                0.0
+            }
+    });
+    let is_tare = |doubt: &Doubt| matches!(doubt, Doubt::TaredEarly { .. });
+    assert!(!early.doubts.iter().any(is_tare), "{:?}", early.doubts);
+    // A hand that pushes the hanging tool releases it gradually.
+    let push = |time: f64| (std::f64::consts::PI * (time - 0.5)).sin().max(0.0);
+    let pushed = with(&|time| Vector3::x() * if time < 1.5 { 8.0 * push(time) } else { 0.0 });
+    assert_eq!(events(&pushed, EventKind::Push).len(), 1);
+    assert_eq!(pushed.doubts, []);
+}
+
+#[test]
+fn poses_that_are_held_are_no_pushes() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let samples = samples_with_late_forces(&Script::default(), &task, 0);
+    let truth = interpreted_with(&samples, &task, &config);
+    for held in [10, 15, 20, 25, 40, 50] {
+        let mut samples = samples.clone();
+        for i in 0..samples.len() {
+            samples[i].world_from_tool = samples[i - i % held].world_from_tool;
+        }
+        let found = interpreted_with(&samples, &task, &config);
+        let expected = 0.01 * held as f64;
+        assert!(
+            matches!(found.doubts[..], [Doubt::HeldPoses { period }] if (period - expected).abs() < 0.011),
+            "{held}: {:?}",
+            found.doubts
+        );
+        assert_eq!(events(&found, EventKind::Push), [], "{held}");
+        assert_eq!(found.is_conclusive(), held <= 25, "{held}");
+        let estimate = found.performance;
+        let range = estimate.low - 0.05..=estimate.high + 0.05;
+        assert!(
+            range.contains(&truth.performance.mean),
+            "{held}: {estimate:?}"
+        );
+    }
 }

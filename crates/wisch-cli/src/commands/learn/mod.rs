@@ -461,8 +461,11 @@ fn seen_rounds(
                 ));
             });
         }
-        let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task))
-            .map_err(|error| fault(&error))?;
+        let config = InterpretConfig {
+            has_one_clock: true,
+            ..InterpretConfig::from_task(&task)
+        };
+        let mut interpreter = Interpreter::new(&task, &config).map_err(|error| fault(&error))?;
         if let count @ 1.. = round.unusable.count() {
             progress.aside(|| {
                 remark(&format!(

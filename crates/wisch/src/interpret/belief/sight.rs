@@ -14,6 +14,10 @@
 //!   and the number detected (a binomial likelihood). Missed grains stay where the member has them.
 //!
 //! A particle that is neither detected nor missed is gone. Its fate follows from the task's effect.
+//!
+//! A log may be wrong about nearly all of the dirt, in every member alike. So the amount of dirt where no member has any
+//! follows from the detections (empirical Bayes; Robbins 1956), and a number of grains far above a member's own loses its
+//! weight as prior: the observation decides.
 
 use super::ensemble::{Belief, MemberState};
 use super::performance::PerformanceDistribution;
@@ -46,6 +50,8 @@ const TAIL: f64 = 0.05;
 const NEIGHBOURHOOD: f64 = 0.02;
 /// Prior share of the dirt that lies where no member has any [1].
 const ANYWHERE: f64 = 0.05;
+/// Steps of the fixed-point iteration to the amount of dirt that lies where no member has any.
+const ANYWHERE_STEPS: usize = 100;
 /// Largest distance between a particle and its detection, in standard deviations of the sensor [1].
 const MATCHED: f64 = 3.0;
 /// Largest number of particles near a detection among which the nearest is searched; further
@@ -159,15 +165,41 @@ impl Intensity {
                 .map(|place| counted.near(*place))
                 .collect();
         }
-        let floor = ANYWHERE * expected.max(1.0) / area;
-        let real = |near: &f64| {
-            let intensity = update.sight.detection * ((1.0 - ANYWHERE) * near / circle + floor);
-            intensity / (intensity + update.sight.sensor.false_alarms_per_m2)
-        };
+        let known: Vec<f64> = (near.iter())
+            .map(|near| update.sight.detection * (1.0 - ANYWHERE) * near / circle)
+            .collect();
+        let alarms = update.sight.sensor.false_alarms_per_m2;
+        let least = update.sight.detection * ANYWHERE * expected.max(1.0) / area;
+        let anywhere = estimate_anywhere(&known, alarms, least, area);
+        let real = |known: &f64| (known + anywhere) / (known + anywhere + alarms);
         Self {
-            real: near.iter().map(real).collect(),
+            real: known.iter().map(real).collect(),
         }
     }
+}
+
+/// Returns the rate of detections of dirt where no member has any [1/m²]: the most probable one, given the detections and a
+/// prior that is inversely proportional to the rate, and at least `least`.
+///
+/// A single detection more than expected counts as a false alarm. Many of them do not.
+///
+/// # Parameters
+/// - `known`: rate of detections of the members' dirt, by detection [1/m²].
+/// - `alarms`: rate of false alarms [1/m²].
+/// - `least`: the least rate that is returned [1/m²].
+/// - `area`: area of the surface [m²].
+fn estimate_anywhere(known: &[f64], alarms: f64, least: f64, area: f64) -> f64 {
+    let mut rate = least.max(known.len() as f64 / area);
+    for _ in 0..ANYWHERE_STEPS {
+        // A step of expectation maximisation. The prior takes one detection away.
+        let shares = known.iter().map(|known| rate / (known + rate + alarms));
+        let next = least.max((shares.sum::<f64>() - 1.0) / area);
+        if next == rate {
+            break;
+        }
+        rate = next;
+    }
+    rate
 }
 
 impl ObservationUpdate<'_> {
@@ -288,9 +320,16 @@ impl ObservationUpdate<'_> {
             believed
         };
         let [least, most] = left;
-        let is_far = (seen as f64) < least - FAR * self.count_error(least)
-            || seen as f64 > most + FAR * self.count_error(most);
+        let is_more = seen as f64 > most + FAR * self.count_error(most);
+        let is_far = is_more || (seen as f64) < least - FAR * self.count_error(least);
+        let hidden_share = if is_more {
+            self.hidden_share(belief)
+        } else {
+            0.0
+        };
         (is_far || self.reweight(belief).1).then(|| Doubt::ObservationContradicts {
+            hidden_share,
+            is_more_than_before: seen as f64 > believed[1] + FAR * self.count_error(believed[1]),
             seen,
             left,
             believed,
@@ -304,6 +343,16 @@ impl ObservationUpdate<'_> {
             },
             is_first: !belief.was_seen,
         })
+    }
+
+    /// Returns the mean share of the members' dirt, remaining or not, that lies in occluded places [1].
+    fn hidden_share(&self, belief: &Belief) -> f64 {
+        let members = belief.members().iter().zip(belief.weights());
+        let shares = members.map(|(member, weight)| {
+            let hidden = (0..member.len()).filter(|&i| !self.is_visible(member.position(i)));
+            weight * hidden.count() as f64 / member.len().max(1) as f64
+        });
+        shares.sum()
     }
 
     /// Returns the range of the number of detections that a belief predicts, if the observation
@@ -421,7 +470,12 @@ impl ObservationUpdate<'_> {
     ) -> usize {
         let miss = 1.0 - self.sight.detection;
         let [share, number] = COUNT_ERROR;
-        let deviation = share * left + number;
+        let mut deviation = share * left + number;
+        // Far more grains than the member has contradict its number, which then hardly counts.
+        let beyond = seen as f64 / self.sight.detection - left;
+        if beyond > FAR * deviation.hypot((miss * left).sqrt()) {
+            deviation = beyond;
+        }
         // A number five standard deviations above the member's is impossible by the prior.
         let most = most.min((left + 5.0 * deviation).max(0.0) as usize + 1);
         let mut weights = Vec::with_capacity(most + 1);

@@ -7,9 +7,10 @@
 //! force, of any size and direction.
 
 use super::bias_change::{BiasChange, find_bias_change};
+use super::clock::{ClockOffset, clock_offset};
 use super::downsampling::MeasuredPiece;
 use super::plane::{PlaneFit, fit_plane};
-use super::sensor::{SensorAxes, bias_and_noise, clock_offset, shift_forces};
+use super::sensor::{SensorAxes, bias_and_noise, shift_forces};
 use super::weighted::{median, mode, spread};
 use crate::geometry::{Point3, Vector3};
 use crate::interpret::config::{InterpretConfig, PlaneConfig};
@@ -105,6 +106,8 @@ pub(in crate::interpret) struct ForceReading {
     middle_of_contact: usize,
     /// Delay of the force's clock behind the position's [s]; 0 if they agree.
     pub(in crate::interpret) clock_offset: f64,
+    /// Another delay that explains the log as well \[s\].
+    pub(in crate::interpret) other_clock_offset: Option<f64>,
     /// Whether the log shows free motion, so that the bias is known.
     pub(in crate::interpret) has_free_motion: bool,
     /// Largest change of the bias during the log; `None` if noise explains the differences.
@@ -202,6 +205,7 @@ impl ForceReading {
             is_as_declared: true,
             middle_of_contact: 0,
             clock_offset: 0.0,
+            other_clock_offset: None,
             has_free_motion: known.is_some(),
             bias_change: find_bias_change(pieces, &high, &is_clear, axes),
             lowest: None,
@@ -237,6 +241,7 @@ impl ForceReading {
             is_as_declared: true,
             middle_of_contact: contact.on[contact.on.len() / 2],
             clock_offset: contact.clock_offset,
+            other_clock_offset: contact.other_clock_offset,
             has_free_motion: true,
             bias_change: find_bias_change(&pieces, &contact.free, &contact.is_clear, contact.axes),
             lowest: None,
@@ -375,6 +380,7 @@ struct SlidingContact {
     /// The believed surface's normal in the sensor's axes, averaged over the contact if these are the tool's.
     normal: Vector3,
     clock_offset: f64,
+    other_clock_offset: Option<f64>,
     /// Evidence for contact: force times time [N s].
     weight: f64,
 }
@@ -469,7 +475,12 @@ impl Scene<'_> {
 
     /// Whether a tool at a distance from the plane is clear of it.
     fn is_clear(&self, distance: f64) -> bool {
-        distance > FREE_DISTANCE.max(2.0 * self.config.nominal_compression())
+        distance > self.clear_distance()
+    }
+
+    /// Distance from the plane above which a tool is clear of it [m].
+    fn clear_distance(&self) -> f64 {
+        FREE_DISTANCE.max(2.0 * self.config.nominal_compression())
     }
 
     /// Returns the calm pieces clear of the plane with these distances [m].
@@ -490,8 +501,14 @@ impl Scene<'_> {
         if on.len() < self.config.plane.min_points || free.len() < MIN_CALM {
             return None;
         }
-        let clock_offset = clock_offset(self.pieces, &on, &free);
-        let pieces = shift_forces(self.pieces, clock_offset);
+        let clocks = if self.config.has_one_clock {
+            ClockOffset::default()
+        } else {
+            let low = SLIDING_DISTANCE.max(0.5 * self.config.nominal_compression());
+            let limits = [low, self.clear_distance()];
+            clock_offset(self.pieces, distances, limits, (&on, &free))
+        };
+        let pieces = shift_forces(self.pieces, clocks.delay);
         let axes = sensor_axes(&pieces, &on, &free);
         let (bias, _) = bias_and_noise(&pieces, &free, axes);
         let forces = on
@@ -538,7 +555,8 @@ impl Scene<'_> {
             axes,
             step,
             normal,
-            clock_offset,
+            clock_offset: clocks.delay,
+            other_clock_offset: clocks.other,
             weight: pressed * (over + BESIDE * beside),
             on,
             free,

@@ -2,10 +2,12 @@
 
 mod bias_change;
 mod classification;
+mod clock;
 mod compression;
 mod curvature;
 mod downsampling;
 mod force_reading;
+mod held_poses;
 mod levels;
 mod motions;
 mod path;
@@ -15,6 +17,7 @@ mod registration;
 mod residuals;
 mod sensor;
 mod stiffness;
+mod tare;
 mod tool_on_bend;
 mod weighted;
 
@@ -23,6 +26,7 @@ pub(super) use compression::{STIFFEST, find_stiffness};
 pub(super) use curvature::{ContactShape, is_inland};
 pub(super) use downsampling::{Downsampler, MeasuredPiece};
 pub(super) use force_reading::{ForceReading, PressDirection};
+pub(super) use held_poses::interpolate_held_poses;
 pub use levels::ContactLevel;
 pub(super) use levels::{ContactLevels, MOST_LEVELS};
 pub(super) use motions::{ContactMotion, MAX_LENGTH, NormalizedForce, contact_motions};
@@ -33,5 +37,6 @@ pub use registration::{ShapeFit, fit_shape};
 pub use residuals::{ContactResidual, RESIDUAL_CELL};
 pub use stiffness::ToolStiffness;
 pub(super) use stiffness::{MeasuredStiffness, StiffnessBelief};
+pub(super) use tare::find_early_tare;
 pub(super) use tool_on_bend::ToolOnBend;
 pub(super) use weighted::median;

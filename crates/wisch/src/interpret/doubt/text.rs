@@ -1,7 +1,7 @@
 //! The texts of doubts for people.
 
 use super::force_unit::describe_units;
-use super::{Doubt, LEAST_NEAR, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
+use super::{Doubt, LEAST_NEAR, LONGEST_PERIOD, MOST_BY_SCALE, MOST_LEAN, NEAR, PLAUSIBLE_FORCE};
 use crate::interpret::contact::{ContactLevel, STIFFEST};
 use crate::interpret::wrench_quality::UnusableWrenches;
 use std::fmt;
@@ -64,6 +64,9 @@ impl fmt::Display for Doubt {
                 first,
             } => write_jumps(f, left_out, share, lasting, first),
             Self::Sparse { period } => write_sparse(f, period),
+            Self::HeldPoses { period } => write_held(f, period),
+            Self::TaredEarly { time, change } => write_tared(f, time, change),
+            Self::ClocksUncertain { offsets } => write_uncertain_clocks(f, offsets),
             Self::BiasChange {
                 change,
                 share,
@@ -72,12 +75,7 @@ impl fmt::Display for Doubt {
             Self::TooSteep { tilt, searched } => write_steep(f, tilt, searched),
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
-            Self::ObservationContradicts {
-                seen,
-                left,
-                believed,
-                ..
-            } => write_contradiction(f, seen, left, believed),
+            Self::ObservationContradicts { .. } => write_contradiction(f, self),
             Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
@@ -144,6 +142,35 @@ fn write_sparse(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
     write!(
         f,
         "the log has a sample every {period:.2} s, which is too slow to show contact: record at least 5 samples per second"
+    )
+}
+
+/// Writes [`Doubt::HeldPoses`].
+fn write_held(f: &mut fmt::Formatter<'_>, period: f64) -> fmt::Result {
+    let way = if period > LONGEST_PERIOD {
+        "which is too slow to show contact"
+    } else {
+        "and was interpolated"
+    };
+    write!(
+        f,
+        "the pose changes only every {period:.2} s, {way}: record at least 5 poses per second, better 50"
+    )
+}
+
+/// Writes [`Doubt::TaredEarly`].
+fn write_tared(f: &mut fmt::Formatter<'_>, time: f64, change: f64) -> fmt::Result {
+    write!(
+        f,
+        "the force changes by {change:.1} N at {time:.2} s, before the first contact, as if the sensor was tared: samples before it are left out"
+    )
+}
+
+/// Writes [`Doubt::ClocksUncertain`].
+fn write_uncertain_clocks(f: &mut fmt::Formatter<'_>, [one, other]: [f64; 2]) -> fmt::Result {
+    write!(
+        f,
+        "the clocks of force and position differ, but the log fits a force that is late by {one:.2} s as well as by {other:.2} s: record both with one clock, and begin and end in free motion"
     )
 }
 
@@ -495,22 +522,36 @@ fn write_unusable(
 }
 
 /// Writes [`Doubt::ObservationContradicts`].
-fn write_contradiction(
-    f: &mut fmt::Formatter<'_>,
-    seen: usize,
-    [least, most]: [f64; 2],
-    [fewest, all]: [f64; 2],
-) -> fmt::Result {
-    let advice = if (seen as f64) < least {
+fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result {
+    let Doubt::ObservationContradicts {
+        seen,
+        left: [least, most],
+        believed: [fewest, all],
+        is_more_than_before,
+        hidden_share,
+        ..
+    } = doubt
+    else {
+        return Ok(());
+    };
+    let advice = if (*seen as f64) < *least {
         "the observation may be incomplete, or the tool wiped more than the log shows"
-    } else if seen as f64 > all {
+    } else if *is_more_than_before {
         "more than there were believed to be before: check the number of particles of the task"
     } else {
-        "the log may lack contact, or the tool has another effect than expected"
+        "the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
     };
     write!(
         f,
         "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
+    )?;
+    if *hidden_share <= 0.0 {
+        return Ok(());
+    }
+    let percent = 100.0 * hidden_share;
+    write!(
+        f,
+        "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
     )
 }
 

@@ -131,8 +131,11 @@ impl Session<'_> {
             return Ok(Stage::Audited);
         }
         self.prepare_motion(&planned, executor)?;
-        let mut interpreter =
-            Interpreter::new(&planned.task, &InterpretConfig::from_task(&planned.task))?;
+        let config = InterpretConfig {
+            has_one_clock: true,
+            ..InterpretConfig::from_task(&planned.task)
+        };
+        let mut interpreter = Interpreter::new(&planned.task, &config)?;
         let order = MotionOrder {
             round: planned.number,
             seed: planned.task.seed,
