@@ -664,8 +664,7 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
-        let verdict =
-            limit_by_max_passes(verdict, task, &interpretation.belief, self.config.target);
+        let verdict = limit_by_max_passes(verdict, task, &interpretation, self.config.target);
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
             Ending::ProtectiveStop { cause, .. } => {
