@@ -437,6 +437,86 @@ fn an_observation_of_dirt_is_refused_where_there_is_none() {
     }
 }
 
+/// A plate to be polished twice, at most three times.
+const PLATE: &str = r#"
+schema = 1
+name = "plate"
+action = "polish"
+target_performance = 0.9
+tool = { name = "sponge" }
+medium = { name = "polishing_paste" }
+surface = { name = "plate", friction = 0.3, size_m = [0.32, 0.24], position_m = [0.0, 0.0, 0.77] }
+polish = { passes = 2, max_passes = 3 }
+particles = { source = "surface", count = 600 }
+"#;
+
+/// Writes a table of a pad that wipes the plate in two lanes of 0.11 m, each this number of times to and fro, with 10 N.
+fn write_lanes(path: &Path, repeats: usize) {
+    let (mut text, mut time) = ("t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned(), 0.0);
+    let mut go = |from: [f64; 3], to: [f64; 3], force: f64| {
+        let way = from
+            .iter()
+            .zip(to)
+            .map(|(a, b)| (a - b).powi(2))
+            .sum::<f64>();
+        let steps = ((way.sqrt() / 0.15).max(0.6) / 0.02) as usize;
+        for k in 0..steps {
+            let share = k as f64 / steps as f64;
+            let at = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
+            let noise = 0.05 * (time * 97.0_f64).sin();
+            let [x, y, z] = at;
+            let _ = writeln!(text, "{time:.3},{x},{y},{z},0,0,0,1,0,0,{}", force + noise);
+            time += 0.02;
+        }
+    };
+    for y in [-0.065, 0.045] {
+        let place = |x: f64, z: f64| [x, y, z];
+        go(place(-0.19, 0.82), place(-0.19, 0.82), 0.0);
+        go(place(-0.19, 0.82), place(-0.19, 0.771), 0.0);
+        for _ in 0..repeats {
+            go(place(-0.19, 0.77), place(0.19, 0.77), 10.0);
+            go(place(0.19, 0.77), place(-0.19, 0.77), 10.0);
+        }
+        go(place(-0.19, 0.771), place(-0.19, 0.82), 0.0);
+        go(place(-0.19, 0.82), place(-0.19, 0.82), 0.0);
+    }
+    fs::write(path, text).unwrap();
+}
+
+#[test]
+fn too_many_passes_are_stated_and_no_camera_is_advised_for_polish() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    fs::write(path.join("task.toml"), PLATE).unwrap();
+    write_lanes(&path.join("often.csv"), 8);
+    let (code, found) = interpreted(path, "often.csv", &["--out", "often"]);
+    assert_eq!((code, &found["verdict"]), (1, &"not met".into()), "{found}");
+    let reason = found["reason"].as_str().unwrap();
+    let share = reason
+        .split(" % of the points have more passes than polish.max_passes")
+        .next();
+    let share = share.and_then(|before| before.rsplit(' ').next()?.parse::<f64>().ok());
+    // Two lanes of 0.11 m cover this share of 0.24 m.
+    let covered = 100.0 * 0.22 / 0.24;
+    assert!(
+        share.is_some_and(|share| (share - covered).abs() < 5.0),
+        "{reason}"
+    );
+    assert!(reason.contains("the target allows 10.0 %"), "{reason}");
+
+    // Two passes are as many as the task asks for, and touch alone does not decide whether they cover enough.
+    write_lanes(&path.join("twice.csv"), 1);
+    let target = ["--set", "target_performance=0.92"];
+    let args = [
+        &["interpret", "twice.csv", "--task", "task.toml"],
+        &target[..],
+    ]
+    .concat();
+    let (_, words, _) = wisch(path, &args);
+    assert!(words.contains("unknown; "), "{words}");
+    assert!(!words.contains("--observation"), "{words}");
+}
+
 #[test]
 fn where_to_collect_has_to_be_known() {
     let folder = folder(believed());

@@ -191,6 +191,25 @@ fn a_state_that_jumps_between_rounds_moves_nothing() {
 }
 
 #[test]
+fn an_end_that_the_samples_contradict_moves_nothing() {
+    if !has_python() {
+        return;
+    }
+    // From half of the motion on, every sample measures the same state, and "done" states the planned end.
+    let blocked = "half = points[len(points) // 2]\nif k > len(points) // 2:\n    pose, positions = half['world_from_tool'], half['positions']";
+    let ended = run("#SAMPLE", blocked, PATIENT);
+    for part in [
+        "after the motion of round 1, joint",
+        "by the last sample, but at",
+        "start_rad",
+    ] {
+        assert!(ended.error.contains(part), "{}", ended.error);
+    }
+    let stood = |doubt: &Doubt| matches!(doubt, Doubt::RobotStoodStill { .. });
+    assert!(ended.doubts.iter().any(stood), "{:?}", ended.doubts);
+}
+
+#[test]
 fn a_wrench_with_another_sign_or_unit_is_doubted() {
     if !has_python() {
         return;

@@ -9,7 +9,8 @@
 %
 % with names as 'semco:Collision_20261122-005612-3f2a-17'.
 
-% known(+Kind, +Term, -Name): the full name of prefix:'Local', 'Local' or an IRI; Kind is class, property or thing.
+% known(+Kind, +Term, -Name): the full name of prefix:'Local', 'Local' or an IRI; Kind is class, property or thing. An
+% unknown name in the text of the query is an error. A value that the query itself has bound names nothing, and fails.
 known(Kind, Term, Name) :-
     ground(Term),
     !,

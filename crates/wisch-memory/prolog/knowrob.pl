@@ -70,7 +70,7 @@ property(P, Name) :- known(property, P, Name).
 % An object may be a value or a thing.
 object(O, O) :- var(O), !.
 object(O, O) :- number(O), !.
-object(O, Name) :- catch(known(thing, O, Name), unknown(_, _, _), Name = O).
+object(O, Name) :- ( catch(known(thing, O, Found), unknown(_, _, _), fail) -> Name = Found ; Name = O ).
 
 stated(S, Name, O) :- in_closure(subproperties, Name, Exact), exactly(S, Exact, O).
 stated(S, Name, O) :- inverse_of(Name, Inverse), in_closure(subproperties, Inverse, Exact), exactly(O, Exact, S).

@@ -476,7 +476,12 @@ pub(crate) fn shared_name(name: &str) -> String {
 
 /// Returns whether the goal was met after a round; `None` if that is unknown.
 fn state(round: &EpisodeRound<'_>, target: f64) -> Option<&'static str> {
-    state_of(assess_goal(round.verdict, round.interpretation, target))
+    state_of(assess_goal(
+        round.verdict,
+        &round.motion.task,
+        round.interpretation,
+        target,
+    ))
 }
 
 /// Returns the state that a verdict implies; `None` if it is unknown.

@@ -420,6 +420,61 @@ fn what_is_not_listed_does_not_pass_however_it_is_called() {
     }
 }
 
+/// A value that a query has bound is no mistyped name: it names nothing.
+#[test]
+fn values_that_a_query_binds_name_nothing() {
+    for command in engines() {
+        let mut asker = asker(command);
+        let mut ask = |query: &str| {
+            shown(
+                &asker
+                    .ask(query)
+                    .unwrap_or_else(|error| panic!("{query}: {error}")),
+            )
+        };
+        let forward =
+            ask("S = 'WipingAction_e0-1', triple(S, P, O), triple(O, P2, O2), X = [P, O, P2, O2]");
+        let backward =
+            ask("S = 'WipingAction_e0-1', triple(O, P2, O2), triple(S, P, O), X = [P, O, P2, O2]");
+        let lists = |rows: Vec<String>| {
+            let mut lists: Vec<String> = (rows.iter())
+                .map(|row| row[row.find('[').unwrap()..].to_owned())
+                .collect();
+            lists.sort();
+            lists
+        };
+        let (forward, backward) = (lists(forward), lists(backward));
+        assert!(forward.len() > 20);
+        // Things that several episodes share have statements only if they are named or bound.
+        for row in &backward {
+            assert!(forward.contains(row), "{row}");
+        }
+        assert!(backward.len() > 20);
+        let is_thing = |row: &String| {
+            let object = row.split(", ").nth(1).unwrap();
+            ["semco:", "soma:", "dul:"]
+                .iter()
+                .any(|prefix| object.starts_with(prefix))
+        };
+        assert!(forward.iter().all(is_thing));
+        for query in [
+            "triple('WipingAction_e0-1', semco:strategy, O), instance_of(O, C)",
+            "triple('WipingAction_e0-1', semco:strategy, O), triple(O, semco:strategy, X)",
+            "triple('WipingAction_e0-1', semco:performance, O), triple(O, P, X)",
+        ] {
+            assert_eq!(ask(query), [""; 0], "{query}");
+        }
+        // A text is still found as a value.
+        let same = "triple('WipingAction_e0-1', semco:strategy, O), triple(A, semco:strategy, O)";
+        assert!(ask(same).len() > 1);
+        let error = asker
+            .ask("triple('smco:broom', P, O)")
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("unknown prefix"), "{error}");
+    }
+}
+
 #[test]
 fn unknown_names_are_errors_with_the_nearest_known_one() {
     let wrong = [

@@ -18,7 +18,7 @@ use wisch::interpret::{
     Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
     ObservationUpdate,
 };
-use wisch::represent::{GoalState, ParticleDistribution, SurfaceShape};
+use wisch::represent::{Action, GoalState, ParticleDistribution, SurfaceShape};
 use wisch::robot::joint_transforms;
 use wisch_io::{
     INTERPRETATION_FILE, OutputFolder, PARTICLES_ESTIMATED_FILE, REPORT_FILE, Replaceable,
@@ -498,8 +498,12 @@ fn performance_in_words(record: &InterpretationRecord) -> String {
             record.reason
         );
     }
+    // A camera sees dirt, but neither polish nor a coat.
+    let is_treated = record.action.parse::<Action>().is_ok_and(Action::treats);
     let advice = match record.verdict {
-        UNKNOWN if record.detections.is_none() => "; add a camera observation with --observation",
+        UNKNOWN if record.detections.is_none() && !is_treated => {
+            "; add a camera observation with --observation"
+        }
         _ => "",
     };
     format!(

@@ -4,6 +4,9 @@ use crate::failure::Failure;
 use std::path::Path;
 use wisch_telemetry::{ReadError, ReadFault, RecordingKind};
 
+/// Longest delay of a message for which a wider window may be the remedy [s]; a clock that turns falls by more.
+const LONGEST_DELAY: f64 = 600.0;
+
 /// Returns the error of a log that cannot be read, with advice if there is some.
 pub(super) fn unreadable(error: ReadError, log: &Path) -> Failure {
     let advice = advice(&error.fault, log);
@@ -59,6 +62,9 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
         }
         ReadFault::ValueCount { count, names, .. } if count > names => {
             "put values that contain separators in quotes (\"[1, 2]\")".to_owned()
+        }
+        ReadFault::Backwards { time, last, .. } if last - time > LONGEST_DELAY => {
+            "no message is delayed for that long: add the missing days to times of day after midnight, or the range of a counter that has begun anew to its later times, or split a file that holds two logs".to_owned()
         }
         ReadFault::Backwards { .. } => {
             "allow longer delays with --reorder-s SECONDS, use a bag's recording times with --time log, or split a file that holds two logs".to_owned()

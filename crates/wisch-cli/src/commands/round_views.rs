@@ -62,7 +62,12 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             text += &format!(": {}", round.verdict.as_str());
             if round.verdict == Verdict::UnknowableByTouch {
                 let claim = Claim::assess(&round.interpretation.distribution, target);
-                text += &format!(" ({claim}; needs a camera)");
+                // A camera sees dirt, but neither polish nor a coat.
+                let camera = match round.motion.task.treatment {
+                    Some(_) => "",
+                    None => "; needs a camera",
+                };
+                text += &format!(" ({claim}{camera})");
             }
             let number = round.motion.number;
             let name = if number == 1 { "rounds" } else { "" };

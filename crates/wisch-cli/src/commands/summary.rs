@@ -73,7 +73,12 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
 /// Returns what is known about the goal after the last round; `None` without an executed round.
 fn goal_of(rounds: &[FinishedRound], target: f64) -> Option<Verdict> {
     let last = &rounds.last()?.round;
-    Some(assess_goal(last.verdict, &last.interpretation, target))
+    Some(assess_goal(
+        last.verdict,
+        &last.motion.task,
+        &last.interpretation,
+        target,
+    ))
 }
 
 /// Returns whether the goal is met, not met or unknown.
@@ -143,9 +148,12 @@ fn performance_in_words(
         None => ("predicted", prediction.predicted_performance),
     };
     let verdict = match goal_of(rounds, target) {
-        Some(Verdict::UnknowableByTouch) => "unknown, needs a camera",
+        // A camera sees dirt, but neither polish nor a coat.
+        Some(Verdict::UnknowableByTouch) if summary.treatment.is_none() => {
+            "unknown, needs a camera"
+        }
         _ if prediction.goal == "not met"
-            && performance >= target
+            && (performance >= target || goal_of(rounds, target).is_some())
             && above.is_some_and(|above| above > 1.0 - target) =>
         {
             "not met: too many points above max_passes"

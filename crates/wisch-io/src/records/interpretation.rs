@@ -5,7 +5,7 @@ use serde::Serialize;
 use wisch::interpret::{
     ContactResidual, Diagnosis, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
 };
-use wisch::recover::{Claim, Verdict, assess_log, exceeds_max_passes};
+use wisch::recover::{Claim, Verdict, assess_log, find_excess_passes, limit_by_max_passes};
 
 /// Value of `format` in the record.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -319,14 +319,20 @@ fn verdict(
     target: f64,
 ) -> (&'static str, String) {
     let claim = Claim::assess(&interpretation.distribution, target).to_string();
-    match assess_log(interpretation, target) {
-        Verdict::GoalMet if exceeds_max_passes(task, &interpretation.belief, target) => (
-            "not met",
-            format!(
-                "{claim}, but more than {:.1} % of the points have more passes than polish.max_passes",
+    let assessed = assess_log(interpretation, target);
+    match limit_by_max_passes(assessed, task, interpretation, target) {
+        Verdict::NothingToGain => {
+            let certain = find_excess_passes(task, interpretation, target);
+            let share = certain.map_or_else(
+                || format!("more than {:.1} %", 100.0 * (1.0 - target)),
+                |share| format!("{:.1} %", 100.0 * share),
+            );
+            let reason = format!(
+                "{claim}; {share} of the points have more passes than polish.max_passes, and the target allows {:.1} %",
                 100.0 * (1.0 - target)
-            ),
-        ),
+            );
+            ("not met", reason)
+        }
         Verdict::GoalMet => ("met", claim),
         Verdict::Undecidable => {
             let decisive = (interpretation.doubts.iter())

@@ -105,9 +105,13 @@ impl Outline {
     }
 }
 
-/// Checks a ring: at least three points, no self-intersection, and a minimum area.
+/// Checks a ring: at least three points, no self-intersection, and a minimum area. A last point that repeats the first
+/// closes the ring, as in GeoJSON, and is left out.
 fn ring(field: &At<RingPoints>) -> Result<Vec<Point2>, TaskError> {
-    let points: Vec<Point2> = field.value.iter().map(|xy| point(*xy)).collect();
+    let mut points: Vec<Point2> = field.value.iter().map(|xy| point(*xy)).collect();
+    if points.len() > 3 && points.first() == points.last() {
+        points.pop();
+    }
     if !(3..=MAX_POINTS).contains(&points.len()) {
         return Err(field.inconsistent(format!(
             "{} points are outside the limits of a ring: 3 to {MAX_POINTS}",
@@ -116,13 +120,13 @@ fn ring(field: &At<RingPoints>) -> Result<Vec<Point2>, TaskError> {
     }
     let edges: Vec<Edge> = edges(&points).collect();
     let count = edges.len();
+    if let Some(i) = edges.iter().position(|edge| edge.start == edge.end) {
+        let next = (i + 1) % count;
+        return Err(field.inconsistent(format!(
+            "points {i} and {next} are equal; remove one of them"
+        )));
+    }
     for i in 0..count {
-        if edges[i].start == edges[i].end {
-            let next = (i + 1) % count;
-            return Err(field.inconsistent(format!(
-                "points {i} and {next} are equal (do not repeat the first point at the end)"
-            )));
-        }
         for j in i + 1..count {
             let crosses = if j == i + 1 || (i == 0 && j == count - 1) {
                 // Adjacent edges share a point; they must not overlap otherwise.

@@ -213,6 +213,34 @@ fn poses_stand_in_the_frame_that_they_name() {
 }
 
 #[test]
+fn an_outline_may_repeat_its_first_point_at_the_end() {
+    let outline = |points: &str| {
+        let outline = format!(
+            "outline_m = [{points}]\nholes_m = [[[0.1, 0.1], [0.2, 0.1], [0.1, 0.2], [0.1, 0.1]]]"
+        );
+        let text = small_with(&[
+            ("size_m = [0.5, 0.4]", outline.as_str()),
+            ("skim_edges = [\"y_min\"]", "skim_edges = [1]"),
+            (
+                "position_m = [0.1, 0.1, 0.05]",
+                "position_m = [0.4, 0.3, 0.05]",
+            ),
+        ]);
+        resolved(&parsed(&text).unwrap()).unwrap().surface.outline
+    };
+    let open = outline("[0, 0], [0.5, 0], [0.5, 0.4], [0, 0.4]");
+    let closed = outline("[0, 0], [0.5, 0], [0.5, 0.4], [0, 0.4], [0, 0]");
+    assert_eq!(open, closed);
+    assert_eq!((closed.outer().len(), closed.holes()[0].len()), (4, 3));
+    // As exporters write a clockwise ring.
+    let clockwise = outline("[0, 0], [0, 0.4], [0.5, 0.4], [0.5, 0], [0.0, 0.0]");
+    assert_eq!(
+        (clockwise.outer().len(), clockwise.area()),
+        (4, closed.area())
+    );
+}
+
+#[test]
 fn an_edge_of_an_outline_is_counted_as_typed_whichever_way_the_points_run() {
     for points in ["[0, 0], [0, 0.4], [0.3, 0], ", "[0, 0], [0.3, 0], [0, 0.4]"] {
         let outline = format!("outline_m = [{points}]");

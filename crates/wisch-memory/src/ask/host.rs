@@ -6,6 +6,7 @@ use super::facts::{SentFacts, list_facts};
 use super::intervals::{IntervalIndex, Relation};
 use super::join::{Indices, Joins, Solutions, SolverBudget};
 use super::names::Names;
+use super::place::locate_fault;
 use super::printed::format_answer;
 use super::reply::{AnswerRows, Cursor, HostRefusal, Reply};
 use super::rows::name_of;
@@ -51,6 +52,8 @@ pub struct Host {
     max_assertions: usize,
     /// Text that the query has printed.
     printed: String,
+    /// Text of the current query.
+    query: String,
 }
 
 impl Host {
@@ -81,6 +84,7 @@ impl Host {
             next_cursor: 0,
             max_assertions,
             printed: String::new(),
+            query: String::new(),
         }
     }
 
@@ -134,6 +138,11 @@ impl Host {
     pub fn forget(&mut self) {
         self.sent = SentFacts::default();
         self.cursors.clear();
+    }
+
+    /// Begins a query with this text.
+    pub fn begin_query(&mut self, query: &str) {
+        query.clone_into(&mut self.query);
     }
 
     /// Drops streams that will not be read any more.
@@ -253,7 +262,12 @@ impl Host {
                 let rows = self.cursors.remove(cursor).ok_or_else(malformed)?;
                 return Ok(Reply::More(rows));
             }
-            ("resolve", [Term::Atom(kind), term]) => vec![Term::Atom(names.resolve(kind, term)?)],
+            ("resolve", [Term::Atom(kind), term]) => match names.resolve(kind, term) {
+                Ok(name) => vec![Term::Atom(name)],
+                // A value that the query itself has bound is no mistyped name.
+                Err(fault) if locate_fault(&fault, &self.query).is_none() => Vec::new(),
+                Err(fault) => return Err(fault.into()),
+            },
             ("subclasses", [Term::Atom(name)]) => names.subclasses(name),
             ("superclasses", [Term::Atom(name)]) => names.superclasses(name),
             ("subproperties", [Term::Atom(name)]) => names.subproperties(name),

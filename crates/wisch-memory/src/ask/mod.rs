@@ -163,6 +163,7 @@ impl QuerySession {
     /// If the query is not valid Prolog, uses an unknown name, or exceeds a limit. Later queries are possible after
     /// each of these.
     pub fn ask(&mut self, query: &str) -> Result<Answers, AskError> {
+        self.host.begin_query(query);
         let mut result = self.converse(query);
         if let (Ok(answers), true) = (&mut result, compares_times(query)) {
             answers.remarks.extend(self.host.describe_undated());

@@ -5,12 +5,13 @@ use super::reply::HostRefusal;
 use super::rows::name_of;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, EpisodeRow, entries};
-use crate::frames::{FrameError, Frames, PoseAt, Sampling};
+use crate::frames::{FrameError, Frames, PoseAt, Sampling, scene_of};
 use crate::store::Memory;
 use crate::telemetry::Telemetry;
 use std::collections::HashMap;
 use std::fmt::Display;
 use std::rc::Rc;
+use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::UnusableWrenches;
 use wisch::robot::RobotModel;
 
@@ -41,6 +42,8 @@ struct Span {
     robot: Option<Rc<RobotModel>>,
     /// Name of the tool, if the episode states it.
     tool: String,
+    /// Bias of the force that the round's interpretation subtracts, along the surface's normal, in the world [N].
+    bias: Vector3,
     /// Begin of the round [s since 1970].
     began: f64,
     from: f64,
@@ -273,6 +276,7 @@ impl TelemetryPredicates {
         Ok(Some(Span {
             robot: self.robot(&episode.id)?,
             tool: tool_of(catalogue, episode),
+            bias: bias_of(catalogue, episode, round, &telemetry)?,
             telemetry,
             began,
             from,
@@ -347,6 +351,28 @@ pub(crate) fn tool_of(catalogue: &Catalogue, row: &EpisodeRow) -> String {
         }
         _ => "tool".to_owned(),
     }
+}
+
+/// Returns the bias of the force in a round, along the normal of the believed surface, in the world [N]; zero if the
+/// interpretation found none, or if the episode does not hold the surface's pose.
+fn bias_of(
+    catalogue: &Catalogue,
+    row: &EpisodeRow,
+    round: usize,
+    telemetry: &Telemetry,
+) -> Result<Vector3, QueryFault> {
+    let numbers = catalogue.numbers("semco:round");
+    let nodes = (row.first..row.first + row.len)
+        .filter(|&id| (entries(numbers, id).iter()).any(|(_, number)| *number == round as f64));
+    let biases = nodes.flat_map(|id| entries(catalogue.numbers("semco:forceBias"), id));
+    let Some((_, bias)) = biases.into_iter().next() else {
+        return Ok(Vector3::zeros());
+    };
+    let scene = scene_of(telemetry).map_err(frame_fault)?;
+    Ok(scene.map_or_else(Vector3::zeros, |scene| {
+        let world_from_surface: Pose = scene.world_from_surface.into();
+        world_from_surface.rotation * Vector3::z() * *bias
+    }))
 }
 
 fn local(name: &str) -> &str {
@@ -466,14 +492,13 @@ fn channel_values(
         .rows_between([span.from, span.to])
         .map_err(unread)?;
     let column = |name: &str| telemetry.values(name, rows.clone()).map_err(unread);
-    let size = |columns: &[&str]| -> Result<Vec<f64>, QueryFault> {
-        let mut squares = vec![0.0; rows.len()];
-        for name in columns {
-            for (square, value) in squares.iter_mut().zip(column(name)?) {
-                *square += value * value;
-            }
-        }
-        Ok(squares.into_iter().map(f64::sqrt).collect())
+    // The force on the tool, as strokes and contacts state it: without the bias of the sensor.
+    let forces = || -> Result<Vec<Vector3>, QueryFault> {
+        let [x, y, z] = ["external/fx", "external/fy", "external/fz"].map(column);
+        let axes = x?.into_iter().zip(y?).zip(z?);
+        Ok(axes
+            .map(|((x, y), z)| Vector3::new(x, y, z) - span.bias)
+            .collect())
     };
     let mut usable = |forces: Vec<f64>| -> Result<Vec<f64>, QueryFault> {
         let qualities = telemetry.wrench_qualities(rows.clone()).map_err(unread)?;
@@ -485,8 +510,8 @@ fn channel_values(
         Ok(forces.map(|(force, _)| force).collect())
     };
     match channel {
-        "force" => usable(size(&["external/fx", "external/fy", "external/fz"])?),
-        "vertical_force" => usable(column("external/fz")?),
+        "force" => usable(forces()?.iter().map(Vector3::norm).collect()),
+        "vertical_force" => usable(forces()?.iter().map(|force| force.z).collect()),
         "speed" => {
             let times = telemetry.times(rows.clone()).map_err(unread)?;
             let [x, y, z] = ["measured/x", "measured/y", "measured/z"].map(column);

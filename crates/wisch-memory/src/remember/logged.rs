@@ -49,7 +49,7 @@ pub fn remember_log(
 ) -> EpisodeRecord {
     let during = [header.start, header.start + duration];
     let verdict = assess_log(interpretation, header.target);
-    let verdict = limit_by_max_passes(verdict, task, &interpretation.belief, header.target);
+    let verdict = limit_by_max_passes(verdict, task, interpretation, header.target);
     let mut episode = Individual::new("semco:WipingEpisode", None);
     episode.set_text("semco:taskName", &task.name);
     episode.set_number("semco:seed", header.seed as f64);

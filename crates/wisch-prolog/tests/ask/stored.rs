@@ -2,6 +2,7 @@
 
 use super::{engines, shown};
 use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -11,7 +12,7 @@ use wisch::interpret::{TouchSample, WrenchQuality};
 use wisch::run::TelemetrySample;
 use wisch_memory::ask::{AskError, EngineCommand, QuerySession};
 use wisch_memory::{
-    EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, TelemetryHead,
+    EPISODE_SCHEMA, EpisodeRecord, Individual, Mark, Memory, Origin, RoundScene, TelemetryHead,
 };
 
 /// When both runs began and ended [s since 1970].
@@ -119,6 +120,50 @@ fn wrenches_that_are_not_usable_are_no_forces_and_this_is_stated() {
             let query = format!("telemetry({channel}, [1004, 1014], max, F)");
             assert_eq!(asked(&memory, command.clone(), &query), [answer], "{query}");
         }
+    }
+}
+
+/// The sensor measures 8 N too little along the normal of a wall, with which the tool presses with 7 N.
+#[test]
+fn forces_are_those_on_the_tool_without_the_bias_of_the_sensor() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    for (run, angle) in [0.0, FRAC_PI_2, FRAC_PI_6].into_iter().enumerate() {
+        let writer = memory.begin(&format!("run-{run}")).unwrap();
+        let place = Vector3::new(0.5, 0.0, 0.7);
+        let world_from_surface = Pose::new(place, Vector3::y() * angle);
+        let rotation = world_from_surface.rotation;
+        let scene = RoundScene::from_log("sponge", "board", &world_from_surface);
+        let mut telemetry = writer.telemetry(1, scene.head(Vec::new())).unwrap();
+        for k in 0..100 {
+            let force = rotation * Vector3::new(0.0, 0.0, 7.0 - 8.0);
+            let touch = TouchSample::new(f64::from(k) * PERIOD, Pose::identity(), force);
+            let sample = TelemetrySample::from_touch(&touch, 0, Phase::Wipe(0));
+            telemetry.write(&sample).unwrap();
+        }
+        telemetry.finish().unwrap();
+        let mut record = record(0);
+        record.id = format!("run-{run}");
+        let mut round = record.individuals[1].clone();
+        round.class = "semco:WipingRound".to_owned();
+        for (key, value) in [("semco:round", 1.0), ("semco:forceBias", -8.0)] {
+            (round.values).insert(key.to_owned(), wisch_memory::Value::Number(value));
+        }
+        record.individuals.push(round);
+        writer.commit(&record).unwrap();
+    }
+    for command in engines() {
+        let ask = |channel: &str| {
+            let query = format!("telemetry({channel}, [1000, 1001], mean, F)");
+            let found = asked(&memory, command.clone(), &query);
+            let number = |text: &String| (1e3 * text.parse::<f64>().unwrap()).round() / 1e3;
+            let mut found: Vec<f64> = found.iter().map(number).collect();
+            found.sort_by(f64::total_cmp);
+            found
+        };
+        assert_eq!(ask("force"), [7.0, 7.0, 7.0]);
+        assert_eq!(ask("vertical_force"), [0.0, 6.062, 7.0]);
+        assert_eq!(ask("'external/fz'"), [-1.0, -0.866, 0.0], "as measured");
     }
 }
 

@@ -5,7 +5,7 @@ use super::words;
 use crate::draw::percent;
 use crate::rounds::words::format_estimate;
 use serde::Serialize;
-use wisch::recover::{Claim, Verdict, assess_goal};
+use wisch::recover::{Claim, Verdict, assess_goal, find_excess_passes};
 use wisch::represent::{Task, describe_weak_reaction};
 use wisch::run::{AfterStop, Ending, Round};
 
@@ -121,7 +121,12 @@ impl<'a> Ended<'a> {
             met: outcome.is_met,
             verdict: outcome.last.map(|(last, _)| last.verdict.as_str()),
             badge: outcome.last.map(|(last, _)| {
-                let goal = assess_goal(last.verdict, &last.interpretation, outcome.target);
+                let goal = assess_goal(
+                    last.verdict,
+                    &last.motion.task,
+                    &last.interpretation,
+                    outcome.target,
+                );
                 RunEnd::of(outcome, last, stopping).badge(goal)
             }),
             story,
@@ -167,7 +172,17 @@ impl RunEnd {
                 Stopping::Interrupted => Self::Interrupted,
                 Stopping::Failed => Self::EndedEarly,
             },
-            (Verdict::NothingToGain, _) if claim.holds() => Self::TooManyPasses,
+            (Verdict::NothingToGain, _)
+                if claim.holds()
+                    || find_excess_passes(
+                        &last.motion.task,
+                        &last.interpretation,
+                        outcome.target,
+                    )
+                    .is_some() =>
+            {
+                Self::TooManyPasses
+            }
             (verdict, _) => Self::Verdict(verdict),
         }
     }
@@ -245,7 +260,7 @@ fn summarise_execution(
     } else {
         format!("The log does not show the performance after {count}; {mean} is a guess.")
     };
-    let goal = assess_goal(last.verdict, found, outcome.target);
+    let goal = assess_goal(last.verdict, &last.motion.task, found, outcome.target);
     let goal_words = match goal {
         Verdict::GoalMet => "The goal is met.",
         Verdict::Undecidable => "It is unknown whether the goal is met.",

@@ -6,7 +6,7 @@ use crate::rounds::words::{count_events, describe_diagnosis, format_estimate};
 use wisch::follow::{Audit, Followed};
 use wisch::interpret::{Doubt, EventKind};
 use wisch::plan::Plan;
-use wisch::recover::{Claim, Verdict};
+use wisch::recover::{Claim, Verdict, find_excess_passes};
 use wisch::represent::{Action, Task};
 use wisch::run::{Ending, Round};
 
@@ -181,13 +181,15 @@ pub(super) fn describe_round(round: &Round, target: f64) -> Vec<String> {
 /// States the verdict on a round with its reason.
 fn describe_verdict(round: &Round, target: f64) -> String {
     let claim = Claim::assess(&round.interpretation.distribution, target);
+    let task = &round.motion.task;
+    let has_excess = find_excess_passes(task, &round.interpretation, target).is_some();
     match round.verdict {
         Verdict::GoalMet => format!("The goal is met: {claim}."),
         Verdict::Again => format!("The estimate does not reach the target: {claim}."),
         Verdict::NoProgress => {
             format!("The goal is not met ({claim}), and this round did not raise the estimate.")
         }
-        Verdict::NothingToGain if claim.holds() => format!(
+        Verdict::NothingToGain if has_excess || claim.holds() => format!(
             "The goal is not met: {claim}, but too many points have more passes than the task allows."
         ),
         Verdict::NothingToGain => format!(
@@ -201,6 +203,9 @@ fn describe_verdict(round: &Round, target: f64) -> String {
         Verdict::Undecidable => {
             "It is unknown whether the goal is met: the log does not allow an estimate.".to_owned()
         }
+        Verdict::UnknowableByTouch if task.treatment.is_some() => format!(
+            "It is unknown whether the goal is met ({claim}), and another round would not change this."
+        ),
         Verdict::UnknowableByTouch => format!(
             "It is unknown whether the goal is met ({claim}). Another round with touch only would not change this; a camera observation would."
         ),

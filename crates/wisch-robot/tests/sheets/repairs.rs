@@ -134,6 +134,31 @@ fn thin_triangles_do_no_harm() {
 }
 
 #[test]
+fn triangles_between_corners_on_one_line_are_dropped() {
+    // The third corner lies on the line of the first two, up to rounding.
+    for height in [0.0, 1e-8, -1e-8] {
+        let corners = [
+            [0.0, 0.0],
+            [0.4, 0.0],
+            [0.2, height],
+            [0.2, 0.3],
+            [0.2, -0.3],
+        ];
+        let vertices = corners.map(|[x, y]| Point3::new(x, y, 0.1)).to_vec();
+        let border = vec![[0, 1, 2], [0, 2, 3], [2, 1, 3]];
+        // With a triangle on the other side, the third corner lies within its edge.
+        let inside = [&border[..], &[[1, 0, 4]]].concat();
+        for (triangles, split, area) in [(border, 0, 0.06), (inside, 1, 0.12)] {
+            let sheet = draft(&Mesh::new(vertices.clone(), triangles).unwrap());
+            assert_eq!(sheet.check(), Ok(()), "{height}");
+            let repairs = sheet.survey().repairs;
+            assert_eq!((repairs.dropped, repairs.split), (1, split), "{height}");
+            assert!((sheet.area() - area).abs() < 1e-6, "{}", sheet.area());
+        }
+    }
+}
+
+#[test]
 fn a_repeated_triangle_and_one_without_area_are_dropped() {
     let mesh = grid([6, 6], [0.3, 0.3], |x, y| Point3::new(x, y, 0.0));
     let mut triangles = mesh.triangles().to_vec();

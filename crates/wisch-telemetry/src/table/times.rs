@@ -26,6 +26,15 @@ const LONG_STEP: f64 = 2.0;
 /// Longest step between samples for an assumed unit [s]: 5 samples per second.
 const USUAL_STEP: f64 = 0.2;
 
+/// Length of a day [ns].
+const DAY: i64 = 86_400 * NANOSECONDS_PER_SECOND as i64;
+
+/// Number of values of a 32-bit counter.
+const COUNTER: f64 = 4_294_967_296.0;
+
+/// Longest time between two samples at midnight, or where a counter begins anew [ns]; at most a quarter of the period.
+const LONGEST_TURN: i64 = 60 * NANOSECONDS_PER_SECOND as i64;
+
 /// A time as a cell states it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Instant {
@@ -206,10 +215,64 @@ pub(super) fn scale_times(
         .any(|instant| matches!(instant, Instant::Date(_, false)));
     let zone = lacks_zone
         .then(|| "dates and times of day are read as UTC, because they state no zone".to_owned());
+    let turned = add_turns(instants, unit, &mut times);
     Ok(Scaled {
         times,
-        remarks: remark.into_iter().chain(zone).collect(),
+        remarks: remark.into_iter().chain(zone).chain(turned).collect(),
     })
+}
+
+/// Adds days to times of day after midnight, or the range of a 32-bit counter after it begins anew, if that alone makes
+/// the times rise without a long gap. Returns a remark if it does.
+fn add_turns(instants: &[Option<Instant>], unit: f64, times: &mut [Option<i64>]) -> Option<String> {
+    let known = || times.iter().flatten().copied();
+    let is_of_day = known().all(|time| (0..DAY).contains(&time));
+    let is_counter = instants.iter().flatten().all(|instant| {
+        let count = instant.count();
+        let is_date = matches!(instant, Instant::Date(..));
+        !is_date && count.fract() == 0.0 && (0.0..COUNTER).contains(&count)
+    });
+    let range = COUNTER * unit * NANOSECONDS_PER_SECOND as f64;
+    let range = (is_counter && range.fract() == 0.0 && range < 9e18).then_some(range as i64);
+    let periods = [is_of_day.then_some(DAY), range];
+    for (period, what) in (periods.into_iter().flatten()).map(|period| match period {
+        DAY => (DAY, "times of day that pass midnight, and a day is added"),
+        range => (
+            range,
+            "counts of 32 bits that begin anew, and their range is added",
+        ),
+    }) {
+        let longest = LONGEST_TURN.min(period / 4);
+        let (mut last, mut first_turn): (Option<i64>, Option<usize>) = (None, None);
+        let mut turned = Vec::with_capacity(times.len());
+        let mut is_continuous = true;
+        for (index, time) in times.iter().enumerate() {
+            let risen = time.map(|time| {
+                let Some(last) = last else {
+                    return time;
+                };
+                let turns = (last - time + period / 2).div_euclid(period);
+                if turns > 0 {
+                    first_turn.get_or_insert(index);
+                }
+                time + turns * period
+            });
+            if let (Some(risen), Some(last)) = (risen, last) {
+                is_continuous &= (risen - last).abs() <= longest;
+            }
+            last = risen.or(last);
+            turned.push(risen);
+        }
+        if let (true, Some(index)) = (is_continuous, first_turn) {
+            times.copy_from_slice(&turned);
+            return Some(format!(
+                "times fall by {} s at row {}: they are read as {what} from there on",
+                period as f64 / NANOSECONDS_PER_SECOND as f64,
+                index + 1
+            ));
+        }
+    }
+    None
 }
 
 /// Returns the unit of times [s] that their size and steps imply, with a remark.
@@ -374,6 +437,43 @@ mod tests {
         let (times, remarks) = scaled_texts(&shuffled);
         assert_eq!(times[0], 6_840_000_000, "{remarks:?}");
         assert!(remarks.is_empty(), "{remarks:?}");
+    }
+
+    #[test]
+    fn times_that_pass_midnight_or_roll_over_rise() {
+        let steps = |texts: &[&str]| {
+            let (times, remarks) = scaled_texts(texts);
+            let steps = times.windows(2).map(|pair| (pair[1] - pair[0]) / 1_000_000);
+            (steps.collect::<Vec<i64>>(), remarks.join("; "))
+        };
+        for (texts, word) in [
+            (
+                ["23:59:59.98", "23:59:59.99", "00:00:00", "00:00:00.01"],
+                "midnight",
+            ),
+            (["86399.98", "86399.99", "0.0", "0.01"], "midnight"),
+            (["4294967276", "4294967286", "0", "10"], "32 bits"),
+            (["4294947296", "4294957296", "0", "10000"], "32 bits"),
+        ] {
+            let (steps, remarks) = steps(&texts);
+            assert_eq!(steps, [10, 10, 10], "{texts:?}: {remarks}");
+            assert!(
+                remarks.contains(word) && remarks.contains("row 3"),
+                "{remarks}"
+            );
+        }
+        // A sample from before midnight that is late stays there.
+        let late = ["86399.98", "0.0", "86399.99", "0.01"];
+        assert_eq!(steps(&late).0, [20, -10, 20]);
+        // Neither a clock that was set back nor a second log of the same day is a turn.
+        for texts in [
+            ["50000.0", "50000.01", "0.0", "0.01"],
+            ["86399.98", "86399.99", "500.0", "500.01"],
+            ["10.0", "10.01", "0.0", "0.01"],
+        ] {
+            let (steps, remarks) = steps(&texts);
+            assert!(steps[1] < 0 && remarks.is_empty(), "{texts:?}: {remarks}");
+        }
     }
 
     #[test]

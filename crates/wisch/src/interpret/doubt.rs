@@ -293,6 +293,18 @@ pub enum Doubt {
         /// Median angle between the two poses \[rad\].
         angle: f64,
     },
+    /// The robot stood still although it was ordered to move.
+    RobotStoodStill {
+        /// Time for which it stood still \[s\].
+        time: f64,
+        /// Time for which it was ordered to move \[s\].
+        ordered: f64,
+    },
+    /// For most of the motion, the tool was far from the ordered path.
+    RobotOffPath {
+        /// Median distance from the nearest point of the path \[m\].
+        distance: f64,
+    },
     /// A person guided the tool by hand: the force is that of the hand as well as that of the surface.
     HandGuided {
         /// Share of the log during which the tool was guided \[1\].
@@ -381,6 +393,8 @@ impl Doubt {
             | Self::TooSteep { .. }
             | Self::Scattered { .. } => true,
             Self::StiffnessDiffers { .. }
+            | Self::RobotStoodStill { .. }
+            | Self::RobotOffPath { .. }
             | Self::WrenchSignInverted
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }

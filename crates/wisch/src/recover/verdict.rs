@@ -14,6 +14,9 @@ pub const FALSE_CLAIM_MARGIN: f64 = 0.1;
 /// Largest accepted probability of a false claim \[1\].
 pub const MAX_FALSE_CLAIM_PROBABILITY: f64 = 0.002;
 
+/// Least probability of a statement that is certain \[1\].
+const CERTAIN: f64 = 0.95;
+
 /// Amount of work in one round, before its result is interpreted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pace {
@@ -170,19 +173,58 @@ pub fn exceeds_max_passes(task: &Task, belief: &Belief, target: f64) -> bool {
         .is_some_and(|polish| polish.exceeds_limit(belief.members().iter().zip(weights), target))
 }
 
-/// Returns `verdict`, but [`Verdict::NothingToGain`] instead of [`Verdict::GoalMet`] if too many
-/// points are polished too often; see [`exceeds_max_passes`].
-pub fn limit_by_max_passes(verdict: Verdict, task: &Task, belief: &Belief, target: f64) -> Verdict {
+/// Returns the share of points that are polished more often than the task allows \[1\], if this share certainly exceeds
+/// 1 − `target`: the log shows what was polished, and in the belief the probability of such a share is at least
+/// 95 %. The share is the mean over the belief.
+pub fn find_excess_passes(
+    task: &Task,
+    interpretation: &Interpretation,
+    target: f64,
+) -> Option<f64> {
+    let (polish, belief) = (task.treatment?, &interpretation.belief);
+    let (mut mean, mut probability) = (0.0, 0.0);
+    for (places, weight) in belief.members().iter().zip(belief.weights()) {
+        mean += weight * polish.share_above_limit(places)?;
+        if polish.exceeds_limit([(places, 1.0)], target) {
+            probability += weight;
+        }
+    }
+    (interpretation.is_conclusive() && probability >= CERTAIN).then_some(mean)
+}
+
+/// Returns `verdict`, but [`Verdict::NothingToGain`] if too many points are polished too often: instead of
+/// [`Verdict::GoalMet`] as [`exceeds_max_passes`] states, and instead of any other verdict that leaves the goal open
+/// if [`find_excess_passes`] states it, because further passes cannot change that.
+pub fn limit_by_max_passes(
+    verdict: Verdict,
+    task: &Task,
+    interpretation: &Interpretation,
+    target: f64,
+) -> Verdict {
     match verdict {
-        Verdict::GoalMet if exceeds_max_passes(task, belief, target) => Verdict::NothingToGain,
-        verdict => verdict,
+        Verdict::GoalMet if exceeds_max_passes(task, &interpretation.belief, target) => {
+            Verdict::NothingToGain
+        }
+        Verdict::GoalMet | Verdict::NoWay | Verdict::UnsafeMotion => verdict,
+        _ if find_excess_passes(task, interpretation, target).is_some() => Verdict::NothingToGain,
+        _ => verdict,
     }
 }
 
 /// Returns what is known about the goal after the last round of a run, which ended with `verdict`:
 /// [`Verdict::GoalMet`], [`Verdict::Undecidable`], [`Verdict::UnknowableByTouch`], or `verdict`
-/// itself if the goal is missed.
-pub fn assess_goal(verdict: Verdict, interpretation: &Interpretation, target: f64) -> Verdict {
+/// itself if the goal is missed. `task`: the task of the round.
+pub fn assess_goal(
+    verdict: Verdict,
+    task: &Task,
+    interpretation: &Interpretation,
+    target: f64,
+) -> Verdict {
+    if verdict == Verdict::NothingToGain
+        && find_excess_passes(task, interpretation, target).is_some()
+    {
+        return verdict;
+    }
     match (verdict, assess_log(interpretation, target)) {
         (Verdict::GoalMet, _) => Verdict::GoalMet,
         (_, Verdict::Undecidable) => Verdict::Undecidable,
@@ -491,8 +533,18 @@ mod tests {
         let pad = Tool::pad("pad", Vector3::new(0.07, 0.11, 0.05)).unwrap();
         let mut task = Task::new(Action::Polish, surface, pad, "paste", places.clone());
         let belief = Belief::from_particles(places);
+        let polished = |shares: &[f64]| Interpretation {
+            belief: belief.clone(),
+            ..touched_round(shares)
+        };
+        // The estimate alone reaches the target, cannot decide, or does not reach it.
+        let [reaching, wide, low] = [0.95, 0.5, 0.2].map(|first| {
+            let mut shares = [0.95; 8];
+            shares[0] = first;
+            polished(if first < 0.5 { &[0.2; 8] } else { &shares })
+        });
         let limited =
-            |task: &Task, target| limit_by_max_passes(Verdict::GoalMet, task, &belief, target);
+            |task: &Task, target| limit_by_max_passes(Verdict::GoalMet, task, &reaching, target);
         assert_eq!(limited(&task, TARGET), Verdict::GoalMet, "no treatment");
         task.treatment = Some(Treatment::Polish {
             passes: 1,
@@ -501,12 +553,29 @@ mod tests {
         });
         assert_eq!(limited(&task, 0.9), Verdict::NothingToGain);
         assert_eq!(limited(&task, 0.8), Verdict::GoalMet);
-        let again = limit_by_max_passes(Verdict::Again, &task, &belief, 0.9);
-        assert_eq!(again, Verdict::Again);
-        // The estimate alone would reach the target.
-        let estimated = touched_round(&[0.95; 8]);
-        let ended = assess_goal(Verdict::NothingToGain, &estimated, TARGET);
-        assert_eq!(ended, Verdict::NothingToGain);
+        // Another round cannot remove passes, whatever the estimate is.
+        for estimated in [&reaching, &wide, &low] {
+            for verdict in [
+                Verdict::Again,
+                Verdict::UnknowableByTouch,
+                Verdict::NoProgress,
+            ] {
+                let limited = |target| limit_by_max_passes(verdict, &task, estimated, target);
+                assert_eq!(limited(0.9), Verdict::NothingToGain);
+                assert_eq!(limited(0.8), verdict);
+            }
+            let ended = assess_goal(Verdict::NothingToGain, &task, estimated, TARGET);
+            assert_eq!(ended, Verdict::NothingToGain);
+            let share = find_excess_passes(&task, estimated, 0.9);
+            assert_eq!(share, Some(0.2));
+        }
+        // A log that shows nothing does not show too many passes either.
+        let doubtful = Interpretation {
+            plane: None,
+            diagnosis: Diagnosis::NoContact,
+            ..reaching.clone()
+        };
+        assert_eq!(find_excess_passes(&task, &doubtful, 0.9), None);
     }
 
     #[test]

@@ -124,6 +124,41 @@ pub enum RunError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
+    /// The executor states two positions of the robot that contradict each other.
+    #[error(
+        "after the motion of round {round}, joint {joint:?} is at {measured:.3} {unit} by {by}, but at {stated:.3} {unit} by {message}, {:.3} {unit} apart; the limit is {limit:.3} {unit} (execution.start_rad, and the way of the joint in the time between both), so nothing moves until it is known where the robot is; make the executor report measured positions in both, and start again if someone moved the robot",
+        (measured - stated).abs()
+    )]
+    Whereabouts {
+        /// The round after whose motion the positions differ, from 1.
+        round: usize,
+        /// The joint that differs most.
+        joint: String,
+        /// Its position by the measurement [rad or m].
+        measured: f64,
+        /// The measurement, in words.
+        by: &'static str,
+        /// Its position by the later statement [rad or m].
+        stated: f64,
+        /// The later statement, in words.
+        message: &'static str,
+        /// Largest distance that the motion explains [rad or m].
+        limit: f64,
+        /// "rad", or "m" for a prismatic joint.
+        unit: &'static str,
+    },
+    /// The last measured pose of the tool is not that of the stated or planned end of the motion.
+    #[error(
+        "round {round}: by the last sample the tool is {distance:.3} m from the end of the motion, more than the limit of {limit:.3} m, so nothing moves until it is known where the robot is; make the executor report measured joint positions in \"sample\" and \"done\""
+    )]
+    EndsElsewhere {
+        /// The round, from 1.
+        round: usize,
+        /// Distance of the tool from the end of the motion \[m\].
+        distance: f64,
+        /// The limit \[m\].
+        limit: f64,
+    },
     /// The executor reported another number of velocities than the robot has variables.
     #[error(
         "round {round}: the executor reported {found} joint velocities before the motion, expected {expected}, or none if it does not measure them"

@@ -71,6 +71,11 @@ pub trait Executor {
         Ok(None)
     }
 
+    /// Whether the next motion is replayed from a recording, so that the robot may have moved since.
+    fn is_replay(&self) -> bool {
+        false
+    }
+
     /// Observes the dirt with a camera, in the frame of the task's surface; `None` without a camera.
     ///
     /// # Errors
@@ -109,6 +114,10 @@ impl<E: Executor + ?Sized> Executor for &mut E {
 
     fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
         (**self).state()
+    }
+
+    fn is_replay(&self) -> bool {
+        (**self).is_replay()
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {
@@ -282,6 +291,10 @@ impl<E: Executor> Executor for Recording<E> {
         } else {
             Ok(None)
         }
+    }
+
+    fn is_replay(&self) -> bool {
+        !self.rounds.is_empty()
     }
 
     fn observe(&mut self, task: &Task) -> Result<Option<Observation>, ExecutorError> {

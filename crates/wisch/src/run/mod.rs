@@ -12,6 +12,7 @@ mod execution;
 mod executor;
 mod force_ramp;
 mod knots;
+mod measured_motion;
 mod order;
 mod own_strategy;
 mod pose_agreement;

@@ -47,7 +47,7 @@ impl<'a> PoseAgreement<'a> {
     }
 
     /// Returns the doubt that both measurements contradict each other for most of the time, if they do.
-    pub fn into_doubt(self) -> Option<Doubt> {
+    pub fn find_doubt(&self) -> Option<Doubt> {
         let is_off = |off: &[f64; 2]| off[0] > MOST_OFF[0] || off[1] > MOST_OFF[1];
         let count = self.off.iter().filter(|off| is_off(off)).count();
         if 2 * count <= self.off.len() {

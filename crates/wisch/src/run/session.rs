@@ -4,10 +4,11 @@ mod executing;
 mod planning;
 
 use super::beside::keep_on_surface;
+use super::measured_motion::MeasuredEnd;
 use super::stance::root_pose;
 use super::{
     AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
-    RobotSetup, Round, RunConfig, RunError, RunEvent, RunWarning, WarningWatch,
+    RobotSetup, RobotState, Round, RunConfig, RunError, RunEvent, RunWarning, WarningWatch,
 };
 use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
@@ -92,6 +93,8 @@ pub struct Session<'a> {
     is_stopped: bool,
     /// Last known joint positions, all n variables [rad or m]; `None` before the first measurement.
     stands: Option<Vec<f64>>,
+    /// Measured end of the last motion; `None` before the first, and after a replayed one.
+    measured_end: Option<MeasuredEnd>,
     /// Whether the last motion ended early, so that the next one begins with a retreat.
     retreats: bool,
     /// The error that ended the current execution.
@@ -139,6 +142,7 @@ impl<'a> Session<'a> {
             warnings: Vec::new(),
             is_stopped: false,
             stands: None,
+            measured_end: None,
             retreats: false,
             failure: None,
             is_prepared: false,
@@ -402,10 +406,8 @@ impl<'a> Session<'a> {
         if self.config.sight.is_some() && self.first_observation.is_none() {
             self.observe_first(executor, observer)?;
         }
-        if let Some(state) = executor.state()?
-            && !state.positions.is_empty()
-        {
-            self.set_positions(Some(state.positions));
+        if let Some(state) = executor.state()? {
+            self.take_state(state)?;
         }
         if self.retreats && self.stands.is_none() {
             return Err(RunError::UnknownState { round });
@@ -508,6 +510,21 @@ impl<'a> Session<'a> {
         if matches!(self.cell.get(), Some(Ok(cell)) if is_on_base(cell)) {
             self.cell = OnceLock::new();
         }
+    }
+
+    /// Takes the positions that the executor states between motions, if there are any.
+    ///
+    /// # Errors
+    /// If they contradict the measured end of the last motion.
+    fn take_state(&mut self, state: RobotState) -> Result<(), RunError> {
+        if state.positions.is_empty() {
+            return Ok(());
+        }
+        if let Some(end) = &self.measured_end {
+            end.check(&state.positions, "the state between the motions")?;
+        }
+        self.set_positions(Some(state.positions));
+        Ok(())
     }
 
     /// Computes the joint motion of a plan and its predicted effect.
@@ -664,8 +681,7 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
-        let verdict =
-            limit_by_max_passes(verdict, task, &interpretation.belief, self.config.target);
+        let verdict = limit_by_max_passes(verdict, task, &interpretation, self.config.target);
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
             Ending::ProtectiveStop { cause, .. } => {

@@ -7,8 +7,8 @@ use wisch::geometry::Point2;
 use wisch::interpret::{Doubt, TouchSample};
 use wisch::represent::{Observation, Task};
 use wisch::run::{
-    Execution, Executor, ExecutorError, MotionOrder, NoExecutor, RobotState, RunEvent, SampleSink,
-    Stage, TelemetrySample, ignore_events,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, NoExecutor, RobotState, RunConfig,
+    RunEvent, SampleSink, Session, Stage, StopCause, StopKind, TelemetrySample, ignore_events,
 };
 
 /// Reports its first sample late, with the joints in the opposite order or in their own.
@@ -309,4 +309,246 @@ fn a_crumb_on_the_floor_ends_no_run() {
     assert!(doubts.iter().any(is_left_out), "{doubts:?}");
     let seen = interpretation.observation.as_ref().expect("a camera");
     assert!(seen.detections.is_empty());
+}
+
+/// Statement about the joint positions after a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stated {
+    Nothing,
+    Measured,
+    /// The positions at the planned end of the motion.
+    Planned,
+}
+
+/// A robot that an obstacle blocks during its first motion.
+#[derive(Debug, Clone, Copy)]
+struct Blocked {
+    /// Share of the duration after which it stands still.
+    after: f64,
+    /// Share of the duration after which a push ends the motion.
+    pushed_after: f64,
+    measures_joints: bool,
+    end: Stated,
+    state: Stated,
+    executed: usize,
+}
+
+/// A robot that measures its joints, is blocked after 60 % of its motion, and reports the measured end.
+const BLOCKED: Blocked = Blocked {
+    after: 0.6,
+    pushed_after: 1.0,
+    measures_joints: true,
+    end: Stated::Measured,
+    state: Stated::Nothing,
+    executed: 0,
+};
+
+/// A [`Blocked`] robot with the positions at the last measured and at the planned end.
+struct BlockedRobot {
+    robot: Blocked,
+    measured: Vec<f64>,
+    planned: Vec<f64>,
+}
+
+impl BlockedRobot {
+    fn positions(&self, stated: Stated) -> Vec<f64> {
+        match stated {
+            Stated::Nothing => Vec::new(),
+            Stated::Measured => self.measured.clone(),
+            Stated::Planned => self.planned.clone(),
+        }
+    }
+}
+
+impl Executor for BlockedRobot {
+    fn execute(
+        &mut self,
+        order: &MotionOrder<'_>,
+        sink: &mut SampleSink<'_>,
+    ) -> Result<Execution, ExecutorError> {
+        self.robot.executed += 1;
+        let setpoints: Vec<_> = order.setpoints(0.01).collect();
+        let share = |share: f64| (share * (setpoints.len() - 1) as f64) as usize;
+        let (blocked, last) = (share(self.robot.after), share(self.robot.pushed_after));
+        self.planned
+            .clone_from(&setpoints[setpoints.len() - 1].positions);
+        for (k, planned) in setpoints.iter().enumerate().take(last + 1) {
+            let at = &setpoints[if self.robot.executed == 1 {
+                k.min(blocked)
+            } else {
+                k
+            }];
+            let share = 0.95 * f64::from(at.phase.is_contact());
+            let force = order.task.surface_reaction() * share;
+            let touch = TouchSample::new(planned.time, at.world_from_tool, force);
+            self.measured.clone_from(&at.positions);
+            let positions = match self.robot.measures_joints {
+                true => &at.positions[..],
+                false => &[],
+            };
+            let _ = sink(&TelemetrySample {
+                positions,
+                ..TelemetrySample::from_touch(&touch, planned.motion, planned.phase)
+            });
+        }
+        let time = setpoints[last].time;
+        let stop = Ending::ProtectiveStop {
+            time,
+            cause: StopCause::Reported {
+                kind: StopKind::Push,
+                reason: "a hand".to_owned(),
+            },
+        };
+        Ok(Execution {
+            duration: time,
+            ending: match last + 1 < setpoints.len() {
+                true => stop,
+                false => Ending::Complete,
+            },
+            ..Execution::from_positions(&self.positions(self.robot.end))
+        })
+    }
+
+    fn state(&mut self) -> Result<Option<RobotState>, ExecutorError> {
+        let state = self.positions(self.robot.state);
+        Ok((self.robot.executed > 0).then(|| state.into()))
+    }
+}
+
+/// Lets a robot execute up to two motions. Returns the error, the number of motions, and the doubts about the first one.
+fn run_blocked(robot: Blocked) -> (String, usize, Vec<Doubt>) {
+    let loaded = loaded();
+    let setup = self::robot(&loaded);
+    let config = RunConfig {
+        target: 1.0,
+        max_rounds: 2,
+        sight: None,
+        ..loaded.run.clone()
+    };
+    let mut session = Session::new(&loaded.task, config).with_robot(setup.robot_setup());
+    let mut executor = BlockedRobot {
+        robot,
+        measured: Vec::new(),
+        planned: Vec::new(),
+    };
+    let ended = session.run(&mut executor, &mut ignore_events);
+    let error = ended
+        .err()
+        .map_or_else(String::new, |error| error.to_string());
+    let doubts = session.rounds()[0].interpretation.doubts.clone();
+    (error, executor.robot.executed, doubts)
+}
+
+#[test]
+fn no_motion_follows_where_the_end_or_the_state_contradicts_the_last_sample() {
+    let by_end = "by the last sample, but at";
+    let cases = [
+        (
+            Blocked {
+                end: Stated::Planned,
+                ..BLOCKED
+            },
+            "by the end of the motion, ",
+        ),
+        (
+            Blocked {
+                state: Stated::Planned,
+                ..BLOCKED
+            },
+            "by the state between the motions, ",
+        ),
+        (
+            Blocked {
+                end: Stated::Planned,
+                state: Stated::Planned,
+                ..BLOCKED
+            },
+            "by the end of the motion, ",
+        ),
+        // A push stops the robot at once, and the end is that of the plan.
+        (
+            Blocked {
+                after: 1.0,
+                pushed_after: 0.3,
+                end: Stated::Planned,
+                ..BLOCKED
+            },
+            "by the end of the motion, ",
+        ),
+        (
+            Blocked {
+                after: 1.0,
+                pushed_after: 0.3,
+                state: Stated::Planned,
+                ..BLOCKED
+            },
+            "by the state between the motions, ",
+        ),
+    ];
+    for (robot, expected) in cases {
+        let (error, executed, _) = run_blocked(robot);
+        for part in [
+            expected,
+            by_end,
+            "joint \"",
+            "(execution.start_rad",
+            "apart",
+        ] {
+            assert!(error.contains(part), "{robot:?}: {error}");
+        }
+        assert_eq!(executed, 1, "{robot:?}");
+    }
+    // Poses alone show that the robot has not reached the end, whether it is stated or not.
+    for end in [Stated::Planned, Stated::Nothing] {
+        let robot = Blocked {
+            measures_joints: false,
+            end,
+            ..BLOCKED
+        };
+        let (error, executed, _) = run_blocked(robot);
+        assert!(
+            error.contains("m from the end of the motion, more than the limit of 0.1"),
+            "{error}"
+        );
+        assert_eq!(executed, 1, "{end:?}");
+    }
+    // Where both agree, the next motion does not begin, because the robot is not at its start.
+    let (error, executed, _) = run_blocked(BLOCKED);
+    assert!(error.contains("from the start of the motion"), "{error}");
+    assert_eq!(executed, 1);
+    for (after, pushed_after, state) in [
+        (1.0, 1.0, Stated::Planned),
+        (1.0, 0.3, Stated::Measured),
+        (1.0, 0.3, Stated::Nothing),
+    ] {
+        let robot = Blocked {
+            after,
+            pushed_after,
+            state,
+            ..BLOCKED
+        };
+        let (error, executed, _) = run_blocked(robot);
+        assert_eq!((error.as_str(), executed), ("", 2), "{robot:?}");
+    }
+}
+
+#[test]
+fn a_robot_that_stood_still_is_stated() {
+    let stood = |after: f64, measures_joints: bool| {
+        let (_, _, doubts) = run_blocked(Blocked {
+            after,
+            measures_joints,
+            ..BLOCKED
+        });
+        let mut found = doubts.iter().filter_map(|doubt| match doubt {
+            Doubt::RobotStoodStill { time, ordered } => Some(time / ordered),
+            _ => None,
+        });
+        found.next()
+    };
+    for measures_joints in [true, false] {
+        assert_eq!(stood(1.0, measures_joints), None);
+        let share = stood(0.6, measures_joints).expect("it stood still");
+        assert!((share - 0.4).abs() < 0.1, "{share}");
+    }
 }

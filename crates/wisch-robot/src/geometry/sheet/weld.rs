@@ -15,7 +15,7 @@ const MAX_SPLIT_ROUNDS: usize = 4;
 pub struct MeshRepairs {
     /// Vertices that were merged into another.
     pub welded: usize,
-    /// Triangles without three different vertices, or equal to another.
+    /// Triangles without area or without three different vertices, or equal to another.
     pub dropped: usize,
     /// Edges of one triangle on which a vertex of a neighbour lies, and that were split there.
     pub split: usize,
@@ -79,6 +79,7 @@ pub(super) fn weld(mesh: &Mesh) -> (Triangles, MeshRepairs) {
             result.triangles.push(corners);
         }
     }
+    repairs.dropped += drop_slivers(&mut result, tolerance);
     result.triangles.sort_unstable();
     for _ in 0..MAX_SPLIT_ROUNDS {
         let split = split_at_neighbours(&mut result, tolerance);
@@ -88,6 +89,26 @@ pub(super) fn weld(mesh: &Mesh) -> (Triangles, MeshRepairs) {
         }
     }
     (result, repairs)
+}
+
+/// Removes triangles whose height is within the tolerance, so that rounding decides on which side they lie; returns their
+/// number. Where neighbours meet along the longest side, the vertex opposite to it then lies on their edge. A mesh of such
+/// triangles alone keeps them.
+fn drop_slivers(mesh: &mut Triangles, tolerance: f64) -> usize {
+    let is_sliver = |&triangle: &[u32; 3]| {
+        let [a, b, c] = mesh.corners(triangle);
+        let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+        mesh.doubled_normal(triangle).norm() <= tolerance * longest
+    };
+    let kept: Vec<[u32; 3]> = (mesh.triangles.iter().copied())
+        .filter(|triangle| !is_sliver(triangle))
+        .collect();
+    if kept.is_empty() {
+        return 0;
+    }
+    let dropped = mesh.triangles.len() - kept.len();
+    mesh.triangles = kept;
+    dropped
 }
 
 /// Iterates over the vertices of the cells from `low` to `high`.

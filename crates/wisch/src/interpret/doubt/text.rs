@@ -85,6 +85,8 @@ impl fmt::Display for Doubt {
             Self::PositionsContradictPose { distance, angle } => {
                 write_elsewhere(f, distance, angle)
             }
+            Self::RobotStoodStill { time, ordered } => write_still(f, time, ordered),
+            Self::RobotOffPath { distance } => write_off_path(f, distance),
             Self::HandGuided { share } => write_guided(f, share),
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
             Self::LoadInAir { force, mass } => write_load(f, force, mass),
@@ -102,10 +104,7 @@ impl fmt::Display for Doubt {
                 "the tool is in contact for only {:.0} % of its time on or near the surface",
                 100.0 * share
             ),
-            Self::LittleSliding { travel, radius } => write!(
-                f,
-                "in contact the tool slid {travel:.3} m in all, less than its own radius of {radius:.3} m"
-            ),
+            Self::LittleSliding { travel, radius } => write_sliding(f, travel, radius),
         }
     }
 }
@@ -561,6 +560,30 @@ fn write_elsewhere(f: &mut fmt::Formatter<'_>, distance: f64, angle: f64) -> fmt
         f,
         "for most of the motion the tool is {distance:.3} m and {:.1}° from where the joint positions put it: check the tool centre point, the mount, the base frame, and the positions of the joints",
         angle.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::RobotStoodStill`].
+fn write_still(f: &mut fmt::Formatter<'_>, time: f64, ordered: f64) -> fmt::Result {
+    write!(
+        f,
+        "the robot stood still for {time:.1} s of the {ordered:.1} s for which it was ordered to move: check what blocked it"
+    )
+}
+
+/// Writes [`Doubt::RobotOffPath`].
+fn write_off_path(f: &mut fmt::Formatter<'_>, distance: f64) -> fmt::Result {
+    write!(
+        f,
+        "for most of the motion the tool is {distance:.3} m from every point of the ordered path: check what moved the robot, and the frame and unit of its pose"
+    )
+}
+
+/// Writes [`Doubt::LittleSliding`].
+fn write_sliding(f: &mut fmt::Formatter<'_>, travel: f64, radius: f64) -> fmt::Result {
+    write!(
+        f,
+        "in contact the tool slid {travel:.3} m in all, less than its own radius of {radius:.3} m"
     )
 }
 

@@ -6,13 +6,12 @@ use crate::geometry::Vector3;
 use crate::interpret::{
     InterpretConfig, InterpretError, Interpreter, TouchSample, UnusableWrenches,
 };
-use crate::run::pose_agreement::PoseAgreement;
+use crate::run::measured_motion::MeasuredMotion;
 use crate::run::stance::{check_first_sample, check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
-    Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, OnWarning, PlannedRound,
-    RunConfig, RunError, RunEvent, RunWarning, StrokeEnd, TelemetrySample, WarningWatch,
-    check_score,
+    Ending, Executor, ExecutorError, MotionOrder, Observer, OnWarning, PlannedRound, RunConfig,
+    RunError, RunEvent, RunWarning, StrokeEnd, TelemetrySample, WarningWatch, check_score,
 };
 use std::ops::ControlFlow;
 
@@ -143,29 +142,23 @@ impl Session<'_> {
             cell: &planned.cell,
             followed: &planned.followed,
         };
-        let mut agreement = PoseAgreement::new(&planned.cell);
+        let mut measured = MeasuredMotion::new(&planned);
+        let is_replay = executor.is_replay();
         let mut refused: Option<RunError> = None;
         let tolerance = self.config.start_tolerance;
         let mut watch = RoundWatch::begin(&self.config, self.watch.as_mut(), &planned);
         let mut is_broken_off = false;
-        let mut measured_until: Option<f64> = None;
-        let mut at: Vec<f64> = Vec::new();
         let hovers = planned.task.interaction.hovers();
         let executed = executor.execute(&order, &mut |sample| {
             let mut taken = take_touch(&mut interpreter, sample, hovers).map_err(RunError::from);
-            if at.is_empty() && !sample.positions.is_empty() {
+            if !(measured.has_positions() || sample.positions.is_empty()) {
                 taken = taken.and_then(|()| check_first_sample(sample, &planned, tolerance));
             }
             if let Err(error) = taken {
                 refused = Some(error);
                 return ControlFlow::Break(());
             }
-            agreement.add(sample);
-            measured_until = Some(sample.time);
-            if !sample.positions.is_empty() {
-                at.clear();
-                at.extend_from_slice(sample.positions);
-            }
+            measured.take(sample);
             let mut flow = observer(&RunEvent::Sample(sample));
             if flow.is_continue() {
                 flow = watch.check(sample, observer);
@@ -181,8 +174,8 @@ impl Session<'_> {
         } = watch;
         self.warnings = warnings;
         self.is_stopped |= is_stopped;
-        self.doubts.extend(agreement.into_doubt());
-        let broken_off = keep_execution(&executed, measured_until, at);
+        self.doubts.extend(measured.doubts());
+        let broken_off = measured.keep_execution(&executed);
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error),
             (Err(error), None) => Err(error.into()),
@@ -206,6 +199,17 @@ impl Session<'_> {
         {
             execution.ending = ending;
         }
+        if self.failure.is_none() {
+            match measured.find_end(&execution, tolerance) {
+                Ok(end) => {
+                    if let (true, Some(end)) = (execution.positions.is_empty(), &end) {
+                        execution.positions = end.positions().to_vec();
+                    }
+                    self.measured_end = end.filter(|_| !is_replay);
+                }
+                Err(error) => self.failure = Some(error),
+            }
+        }
         self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
         Ok(Stage::Executed)
     }
@@ -222,36 +226,13 @@ impl Session<'_> {
         }
         if let Some(state) = executor.state()? {
             check_rest(&state, planned)?;
-            if !state.positions.is_empty() {
-                self.set_positions(Some(state.positions));
-            }
+            self.take_state(state)?;
         }
         if let Some(stands) = &self.stands {
             check_start(stands, planned, self.config.start_tolerance)?;
         }
         Ok(())
     }
-}
-
-/// Returns the known data of a motion that ended with an error; `None` if nothing was measured.
-///
-/// `time`: time of the last sample \[s\]. `positions`: last measured positions, or empty.
-fn keep_execution(
-    executed: &Result<Execution, ExecutorError>,
-    time: Option<f64>,
-    positions: Vec<f64>,
-) -> Option<Execution> {
-    let (pauses, dropped_samples) = match executed {
-        Ok(execution) => (&execution.pauses[..], execution.dropped_samples),
-        Err(error) => (error.pauses(), error.dropped_samples()),
-    };
-    time.map(|duration| Execution {
-        duration,
-        ending: Ending::Stopped,
-        positions,
-        pauses: pauses.to_vec(),
-        dropped_samples,
-    })
 }
 
 /// Passes a sample to the interpreter: as a sample with contact forces, or as a sample without a
