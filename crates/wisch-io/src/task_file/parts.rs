@@ -129,9 +129,10 @@ pub(super) fn read(source: &Source<'_>) -> Result<Option<Parts>, TaskError> {
 /// Returns the tree of a task with its settings. Of a file with several surfaces or media, it keeps those of the goal.
 pub(super) fn tree<'a>(source: &Source<'a>) -> Result<Value<'a>, TaskError> {
     let mut root = source.parse()?;
-    source.apply(&mut root, |key| key == "goal")?;
+    let is_rack = |key: &str| key == "tool.rack" || key.starts_with("tool.rack.");
+    source.apply(&mut root, |key| key == "goal" || is_rack(key))?;
     select(&mut root, source)?;
-    source.apply(&mut root, |_| true)?;
+    source.apply(&mut root, |key| !is_rack(key))?;
     Ok(root)
 }
 
