@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::remark;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use wisch::goal::{Sequence, Situation, Step, StepPlace, StepTimes, Wiping};
@@ -250,7 +250,7 @@ struct GoalPart {
     part: String,
     /// Whether it holds after the last step, as far as is known.
     holds: bool,
-    /// Why no sequence of steps reaches it; null if one does.
+    /// Why it does not hold: no sequence of steps reaches it, or its step missed its target; null otherwise.
     left_out: Option<String>,
 }
 
@@ -315,6 +315,8 @@ pub(super) struct Course<'a> {
     out: PathBuf,
     steps: Vec<TakenStep>,
     tries: BTreeMap<Wiping, u32>,
+    /// Wiping actions whose goals were not met when they were last tried or predicted.
+    unmet: BTreeSet<Wiping>,
     /// Folder of the last attempt at a medium on a surface, relative to the folder of results.
     last: BTreeMap<[String; 2], PathBuf>,
     clock: f64,
@@ -331,6 +333,7 @@ impl<'a> Course<'a> {
             out,
             steps: Vec::new(),
             tries: BTreeMap::new(),
+            unmet: BTreeSet::new(),
             last: BTreeMap::new(),
             clock: 0.0,
         })
@@ -374,6 +377,11 @@ impl<'a> Course<'a> {
             };
             let is_stopped = wiped.is_stopped;
             let is_reached = wiped.is_met || !self.is_executed;
+            if !wiped.is_met {
+                self.unmet.insert(wiping.clone());
+            } else {
+                self.unmet.remove(&wiping);
+            }
             let took = time_of(&wiped.summary).unwrap_or(step.time);
             self.note(&step, took, Some(wiped), tries);
             let on = [wiping.medium.clone(), wiping.surface.clone()];
@@ -457,14 +465,6 @@ impl<'a> Course<'a> {
 
     fn finish(self, expected_s: f64) -> GoalSummary {
         let file = self.task.file;
-        let failed = |action: &str| {
-            let of_action = self.steps.iter().filter(|step| step.step == action);
-            of_action
-                .last()
-                .is_some_and(|step| step.goal_met == Some(false))
-        };
-        // Without an execution, a step is assumed to succeed; its prediction may say otherwise.
-        let all_predicted = !self.steps.iter().any(|step| failed(&step.step)) || self.is_executed;
         let open = self.task.plan(&self.situation, StepPlace::Start);
         let left_out = open.map(|sequence| sequence.left_out).unwrap_or_default();
         let parts: Vec<GoalPart> = (file.goal.parts())
@@ -475,9 +475,17 @@ impl<'a> Course<'a> {
                     format!("(not {fact})")
                 };
                 let reason = left_out.iter().find(|(left, _)| *left == part);
+                let reason = reason.map(|(_, reason)| self.explain(fact, reason));
+                // Without an execution, a step is assumed to succeed; its prediction may say otherwise.
+                let unmet = self.unmet.iter().find(|wiping| {
+                    self.situation.effect_of(wiping).as_ref() == Some(fact)
+                        || (!holds && fact.arguments() == [wiping.surface.clone()])
+                });
+                let unmet =
+                    unmet.map(|wiping| format!("{wiping}: its goal is not predicted to be met"));
                 GoalPart {
-                    holds: self.situation.holds(fact) == holds,
-                    left_out: reason.map(|(_, reason)| self.explain(fact, reason)),
+                    holds: self.situation.holds(fact) == holds && unmet.is_none(),
+                    left_out: reason.or(unmet),
                     part,
                 }
             })
@@ -487,7 +495,7 @@ impl<'a> Course<'a> {
             schema: SCHEMA,
             task: file.name.clone(),
             goal: file.goal.to_string(),
-            goal_met: parts.iter().all(|part| part.holds) && all_predicted,
+            goal_met: parts.iter().all(|part| part.holds),
             is_executed: self.is_executed,
             expected_s,
             took_s: self.clock,

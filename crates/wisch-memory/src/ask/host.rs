@@ -265,7 +265,7 @@ impl Host {
             ("resolve", [Term::Atom(kind), term]) => match names.resolve(kind, term) {
                 Ok(name) => vec![Term::Atom(name)],
                 // A value that the query itself has bound is no mistyped name.
-                Err(fault) if locate_fault(&fault, &self.query).is_none() => Vec::new(),
+                Err(fault) if is_bound_by(&self.query, term, &fault) => Vec::new(),
                 Err(fault) => return Err(fault.into()),
             },
             ("subclasses", [Term::Atom(name)]) => names.subclasses(name),
@@ -470,4 +470,10 @@ impl Host {
 
 fn times(start: &Term, end: &Term) -> Option<[f64; 2]> {
     Some([start.as_number()?, end.as_number()?])
+}
+
+/// Whether a value that names nothing was bound by the query itself, and does not stand in its text.
+fn is_bound_by(query: &str, term: &Term, fault: &QueryFault) -> bool {
+    matches!(term, Term::Atom(_) | Term::Integer(_) | Term::Float(_))
+        && locate_fault(fault, query).is_none()
 }

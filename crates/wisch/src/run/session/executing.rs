@@ -10,8 +10,9 @@ use crate::run::measured_motion::MeasuredMotion;
 use crate::run::stance::{check_first_sample, check_positions, check_rest, check_start};
 use crate::run::stroke_watch::StrokeWatch;
 use crate::run::{
-    Ending, Executor, ExecutorError, MotionOrder, Observer, OnWarning, PlannedRound, RunConfig,
-    RunError, RunEvent, RunWarning, StrokeEnd, TelemetrySample, WarningWatch, check_score,
+    Ending, Execution, Executor, ExecutorError, MotionOrder, Observer, OnWarning, PlannedRound,
+    RunConfig, RunError, RunEvent, RunWarning, StrokeEnd, TelemetrySample, WarningWatch,
+    check_score,
 };
 use std::ops::ControlFlow;
 
@@ -109,6 +110,28 @@ impl Session<'_> {
         self.finish_failure.as_ref()
     }
 
+    /// Keeps the measured end of a motion, from which the next one begins; a contradiction to the stated end is the failure
+    /// of the run.
+    fn take_measured_end(
+        &mut self,
+        measured: &MeasuredMotion,
+        execution: &mut Execution,
+        is_replay: bool,
+    ) {
+        if self.failure.is_some() {
+            return;
+        }
+        match measured.find_end(execution, self.config.start_tolerance) {
+            Ok(end) => {
+                if let (true, Some(end)) = (execution.positions.is_empty(), &end) {
+                    execution.positions = end.positions().to_vec();
+                }
+                self.measured_end = end.filter(|_| !is_replay);
+            }
+            Err(error) => self.failure = Some(error),
+        }
+    }
+
     /// Executes the motion and passes each sample to the interpreter and the observer.
     pub(super) fn execute_round(
         &mut self,
@@ -199,17 +222,7 @@ impl Session<'_> {
         {
             execution.ending = ending;
         }
-        if self.failure.is_none() {
-            match measured.find_end(&execution, tolerance) {
-                Ok(end) => {
-                    if let (true, Some(end)) = (execution.positions.is_empty(), &end) {
-                        execution.positions = end.positions().to_vec();
-                    }
-                    self.measured_end = end.filter(|_| !is_replay);
-                }
-                Err(error) => self.failure = Some(error),
-            }
-        }
+        self.take_measured_end(&measured, &mut execution, is_replay);
         self.state = State::Executed(planned, audit, execution, Box::new(interpreter));
         Ok(Stage::Executed)
     }
