@@ -540,8 +540,8 @@ impl TakenStep {
         match &self.summary {
             Some(summary) => (true, summary.surface.clone()),
             None => {
-                let words = self.step.trim_matches(['(', ')']).split(' ');
-                (false, words.last().unwrap_or_default().to_owned())
+                let mut words = self.step.trim_matches(['(', ')']).split(' ');
+                (false, words.next_back().unwrap_or_default().to_owned())
             }
         }
     }

@@ -395,7 +395,7 @@ fn rack_tool(item: &Value<'_>, source: &Source<'_>) -> Result<RackTool, TaskErro
                 value,
             ));
         };
-        match position.iter().find(|x| !(x.abs() <= FARTHEST)) {
+        match position.iter().find(|x| x.is_nan() || x.abs() > FARTHEST) {
             None => Ok(position),
             Some(value) => Err(TaskError::OutOfRange {
                 at,

@@ -460,8 +460,8 @@ impl<'a> Situation<'a> {
         place: StepPlace<'_>,
         times: &dyn StepTimes,
     ) -> Result<Sequence, GoalError> {
-        let parts: Vec<(String, Vec<(bool, Vec<String>)>)> = (goal.parts.iter())
-            .map(|part| (describe_part(part), self.expand(part.0, &part.1)))
+        let facts_of_parts: Vec<Vec<(bool, Vec<String>)>> = (goal.parts.iter())
+            .map(|(holds, part)| self.expand(*holds, part))
             .collect();
         let costs = Times {
             situation: self,
@@ -470,10 +470,10 @@ impl<'a> Situation<'a> {
             times,
         };
         let (mut reached, mut left_out) = (Vec::new(), Vec::new());
-        for ((stated, facts), (_, part)) in parts.iter().zip(&goal.parts) {
+        for (facts, part) in facts_of_parts.iter().zip(&goal.parts) {
             let wanted = facts.iter().map(|(holds, words)| (*holds, as_fact(words)));
             let problem = self.problem(wanted.clone().collect());
-            self.check(part)?;
+            self.check(&part.1)?;
             if problem.cheapest_plan(&costs, 0)?.is_some() {
                 reached.extend(wanted);
             } else {
@@ -483,7 +483,7 @@ impl<'a> Situation<'a> {
                 } else {
                     reasons.join("; ")
                 };
-                left_out.push((stated.clone(), reason));
+                left_out.push((describe_part(part), reason));
             }
         }
         let problem = self.problem(reached);
