@@ -122,7 +122,7 @@ fn a_step_that_fails_twice_is_ruled_out_and_nothing_loops() {
         "{taken:?}"
     );
     assert!(
-        err.contains("ruled out, and the other steps are planned anew"),
+        err.contains("ruled out; the other steps are planned anew"),
         "{err}"
     );
     let part = &summary["parts"][0];
@@ -137,6 +137,51 @@ fn a_step_that_fails_twice_is_ruled_out_and_nothing_loops() {
     // The second attempt begins with what the first one has left.
     let second = &summary["steps"][1];
     assert_eq!(second["earlier_tries"], 1);
+}
+
+#[test]
+fn by_touch_alone_a_step_that_fails_is_not_tried_again() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let hard = [
+        "--set",
+        "execution.mu=3.0",
+        "--set",
+        "execution.max_rounds=1",
+        "--set",
+        "target_performance=0.99",
+    ];
+    let args = [
+        &["run", "board.toml", "--json", "--no-memory", "--touch-only"][..],
+        &hard,
+    ]
+    .concat();
+    let (code, summary, err) = summary_of(folder.path(), &args);
+    assert_eq!(code, 1, "{summary:#}");
+    assert_eq!(summary["goal_met"], false);
+    let taken = steps(&summary);
+    let collected = taken.iter().filter(|step| step.starts_with("(collect"));
+    assert_eq!(collected.count(), 1, "{taken:?}");
+    assert!(err.contains("would not know what is left to wipe"), "{err}");
+}
+
+#[test]
+fn without_any_tool_nothing_is_done_and_every_part_says_why() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let args = ["run", "board.toml", "--json", "--set", "tool.in_hand=brush"];
+    let (code, summary, _) = summary_of(folder.path(), &args);
+    assert_eq!(code, 1);
+    let parts = summary["parts"].as_array().unwrap();
+    assert!(parts[1]["left_out"].as_str().is_some(), "{summary:#}");
+    let args = ["run", "board.toml", "--json", "--set", "tool.in_hand=broom"];
+    let (code, summary, _) = summary_of(folder.path(), &args);
+    assert_eq!((code, steps(&summary)), (1, vec![]));
+    let mut parts = summary["parts"].as_array().unwrap().iter();
+    assert!(
+        parts.all(|part| part["left_out"].is_string()),
+        "{summary:#}"
+    );
 }
 
 #[test]

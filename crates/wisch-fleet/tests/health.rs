@@ -169,7 +169,7 @@ async fn drift_equals_the_health_report() {
 }
 
 #[tokio::test]
-async fn what_cannot_be_told_is_null() {
+async fn unknown_values_are_null() {
     let folder = tempfile::tempdir().unwrap();
     for session in sessions(folder.path(), &records()[..8]).await {
         let sql = "SELECT count(*) AS n FROM drift WHERE state = 'too few' AND value IS NULL AND is_drift IS NULL \

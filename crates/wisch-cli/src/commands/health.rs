@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::terminal::{Outcome, print, print_json, remark};
 use std::collections::BTreeSet;
 use wisch_memory::health::{
-    ChannelWords, CourseWords, DescribedHealth, GroupWords, HealthWords, RunGroup, assess_groups,
+    ChannelWords, DescribedHealth, GroupWords, HealthWords, RunGroup, TrendWords, assess_groups,
     gather_groups,
 };
 
@@ -97,14 +97,14 @@ fn lay_out_group(group: &GroupWords) -> String {
 fn lay_out_channel(channel: &ChannelWords) -> String {
     let begin = format!("  {:<14}  {:>5}", channel.channel, channel.recorded);
     let finding = channel.finding.unwrap_or_default();
-    let mut text = match &channel.course {
-        CourseWords::Line { now, per_run, p } => {
+    let mut text = match &channel.trend {
+        TrendWords::Line { now, per_run, p } => {
             format!("{begin}  {now:>11}  {per_run:<34}  {p:>8}  {finding}\n")
         }
-        CourseWords::Unknown { unknown } if channel.finding.is_none() => {
+        TrendWords::Unknown { unknown } if channel.finding.is_none() => {
             format!("{begin}  {unknown}\n")
         }
-        CourseWords::Unknown { unknown } => format!("{begin}  {unknown:<57}  {finding}\n"),
+        TrendWords::Unknown { unknown } => format!("{begin}  {unknown:<57}  {finding}\n"),
     };
     for sentence in &channel.sentences {
         text += &wrap(4, sentence);

@@ -10,7 +10,7 @@ use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
-use super::steps::{Course, GoalTask, WipedStep, read_goal};
+use super::steps::{GoalRun, GoalTask, WipedStep, read_goal};
 use super::summary::{in_words, summary};
 use super::watch::show;
 use super::words::{counted, internal};
@@ -186,6 +186,21 @@ fn work(
     })
 }
 
+/// Returns the given option that is for a single surface, if there is one.
+fn find_single_option(plan_file: Option<&Path>, extent: Extent<'_>) -> Option<&'static str> {
+    let rounds = extent.rounds();
+    let options = [
+        ("--plan", plan_file.is_some()),
+        ("--resume", rounds.is_some_and(|rounds| rounds.resume)),
+        (
+            "--events",
+            rounds.is_some_and(|rounds| rounds.events.is_some()),
+        ),
+    ];
+    let given = options.into_iter().find(|(_, is_given)| *is_given);
+    given.map(|(option, _)| option)
+}
+
 /// Works on a goal of several parts, one step after another; returns whether every part of the goal holds.
 fn work_on_goal(
     (task_args, file): (&TaskArgs, &GoalFile),
@@ -194,27 +209,15 @@ fn work_on_goal(
     extent: Extent<'_>,
     global: &GlobalArgs,
 ) -> Result<bool, Failure> {
-    let rounds = extent.rounds();
-    for (option, is_given) in [
-        ("--plan", plan_file.is_some()),
-        ("--resume", rounds.is_some_and(|rounds| rounds.resume)),
-        (
-            "--events",
-            rounds.is_some_and(|rounds| rounds.events.is_some()),
-        ),
-        // Nothing but the simulated world changes tools.
-        (
-            "--executor or --on",
-            rounds.is_some_and(LoopArgs::has_executor),
-        ),
-    ] {
-        if is_given {
-            let problem = format!("{option} is for one part of the goal, but the goal has several");
-            let part = file.goal.parts().find(|(holds, _)| *holds);
-            let part = part.map_or_else(String::new, |(_, fact)| fact.to_string());
-            return Err(stage_failure(task_args, problem)
-                .with_help(format!("choose the part: --set goal='{part}'")));
-        }
+    let has_executor = extent.rounds().is_some_and(LoopArgs::has_executor);
+    // Nothing but the simulated world changes tools.
+    let executor = Some("--executor or --on").filter(|_| has_executor);
+    if let Some(option) = executor.or_else(|| find_single_option(plan_file, extent)) {
+        let problem = format!("{option} is for one part of the goal, but the goal has several");
+        let part = file.goal.parts().find(|(holds, _)| *holds);
+        let part = part.map_or_else(String::new, |(_, fact)| fact.to_string());
+        return Err(stage_failure(task_args, problem)
+            .with_help(format!("choose the part: --set goal='{part}'")));
     }
     let task_args = &extent.restrict_senses(task_args);
     let any_robot = RobotArgs::default();
@@ -241,8 +244,10 @@ fn work_on_goal(
             .with_help("choose another folder with --out, or replace files with --force"));
     }
     let is_executed = extent.is_run() && task.has_robot();
-    let course = Course::begin(&task, is_executed, out.clone())?;
-    let (summary, broken) = course.run(&mut |args, folder| {
+    // Also if no step is needed.
+    std::fs::create_dir_all(&out).map_err(|error| Failure::new(error).within(&out))?;
+    let run = GoalRun::begin(&task, is_executed, out.clone())?;
+    let (summary, broken) = run.run(&mut |args, folder| {
         let of_step = ResultArgs {
             out: Some(folder.to_owned()),
             force: results.force,
@@ -274,20 +279,10 @@ fn work_on_patches(
     extent: Extent<'_>,
     global: &GlobalArgs,
 ) -> Result<bool, Failure> {
-    let rounds = extent.rounds();
-    for (option, is_given) in [
-        ("--plan", plan_file.is_some()),
-        ("--resume", rounds.is_some_and(|rounds| rounds.resume)),
-        (
-            "--events",
-            rounds.is_some_and(|rounds| rounds.events.is_some()),
-        ),
-    ] {
-        if is_given {
-            let problem = format!("{option} is for one patch, but surface.mesh.patch = \"all\"");
-            return Err(stage_failure(task_args, problem)
-                .with_help("choose the patch with --set surface.mesh.patch=1"));
-        }
+    if let Some(option) = find_single_option(plan_file, extent) {
+        let problem = format!("{option} is for one patch, but surface.mesh.patch = \"all\"");
+        return Err(stage_failure(task_args, problem)
+            .with_help("choose the patch with --set surface.mesh.patch=1"));
     }
     let TaskPatches {
         tasks,

@@ -55,6 +55,8 @@ pub(super) struct GoalTask<'a> {
     /// Origins of the surfaces in the world [m].
     surfaces: BTreeMap<String, [f64; 3]>,
     has_robot: bool,
+    /// Actions whose dirt a camera observes.
+    observed: BTreeSet<Wiping>,
 }
 
 /// Reads the task, if its goal has several parts.
@@ -86,6 +88,7 @@ impl<'a> GoalTask<'a> {
             expected: BTreeMap::new(),
             surfaces: BTreeMap::new(),
             has_robot: false,
+            observed: BTreeSet::new(),
         };
         let mut known: Option<Robot> = None;
         let wipings = situation.possible_wipings(&file.goal);
@@ -112,6 +115,9 @@ impl<'a> GoalTask<'a> {
             }
             let robot = chosen.as_ref().zip(known.as_ref());
             task.has_robot |= robot.is_some();
+            if loaded.file.camera.is_some() {
+                task.observed.insert(wiping.clone());
+            }
             task.expected.insert(wiping.clone(), expect(&loaded, robot));
         }
         Ok(task)
@@ -234,7 +240,7 @@ struct TakenStep {
     expected_s: f64,
     /// Time since the first step at which it began [s].
     began_s: f64,
-    /// Its time [s]: of a wiping step as the motions took, of others as expected.
+    /// Its time [s]: of a wiping step the motions, with the expected way to its place; of others as expected.
     took_s: f64,
     /// Whether the goal of the wiping step is met; null for other steps.
     goal_met: Option<bool>,
@@ -307,8 +313,8 @@ pub(super) struct WipedStep {
     pub is_stopped: bool,
 }
 
-/// The course of a command over the steps of a goal.
-pub(super) struct Course<'a> {
+/// A command over the steps of a goal.
+pub(super) struct GoalRun<'a> {
     task: &'a GoalTask<'a>,
     situation: Situation<'a>,
     is_executed: bool,
@@ -322,7 +328,7 @@ pub(super) struct Course<'a> {
     clock: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> GoalRun<'a> {
     /// Begins before the first step. `is_executed`: whether steps are executed; otherwise each is assumed to succeed.
     pub fn begin(task: &'a GoalTask<'a>, is_executed: bool, out: PathBuf) -> Result<Self, Failure> {
         let situation = task.file.situation();
@@ -382,7 +388,9 @@ impl<'a> Course<'a> {
             } else {
                 self.unmet.remove(&wiping);
             }
-            let took = time_of(&wiped.summary).unwrap_or(step.time);
+            // The way to the surface is not part of the motions.
+            let way = step.time - self.task.wiping(&wiping).unwrap_or(step.time);
+            let took = time_of(&wiped.summary).map_or(step.time, |motions| way + motions);
             self.note(&step, took, Some(wiped), tries);
             let on = [wiping.medium.clone(), wiping.surface.clone()];
             self.last.insert(on, PathBuf::from(name));
@@ -390,16 +398,7 @@ impl<'a> Course<'a> {
                 self.situation.apply(&step);
                 sequence.steps.remove(0);
             } else {
-                let tried = self.tries.entry(wiping.clone()).or_default();
-                *tried += 1;
-                // What a treatment has not reached is not known place by place to a new session.
-                if *tried >= TRIES || wiping.action.treats() {
-                    remark(&format!(
-                        "{wiping} has not reached its goal after {}: it is ruled out, and the other steps are planned anew",
-                        counted(*tried as usize, "try").replace("trys", "tries")
-                    ));
-                    self.situation.rule_out(&wiping);
-                }
+                self.note_failure(&wiping);
             }
             if is_stopped {
                 remark(&format!(
@@ -414,6 +413,35 @@ impl<'a> Course<'a> {
         Ok((self.finish(expected_s), broken))
     }
 
+    /// Counts a try whose goal was not met, and rules actions out that are not to be tried again.
+    fn note_failure(&mut self, wiping: &Wiping) {
+        let tried = self.tries.entry(wiping.clone()).or_default();
+        *tried += 1;
+        let tried = *tried;
+        // A new session knows where dirt is left only if it sees it.
+        let is_retried = self.task.observed.contains(wiping) && !wiping.action.treats();
+        if is_retried && tried < TRIES {
+            return;
+        }
+        let of_dirt = self.task.expected.keys().filter(|other| {
+            *other == wiping
+                || (!is_retried
+                    && (&other.medium, &other.surface) == (&wiping.medium, &wiping.surface))
+        });
+        for other in of_dirt {
+            self.situation.rule_out(other);
+        }
+        let why = if is_retried {
+            "it is ruled out"
+        } else {
+            "it is ruled out, with all tools, because a new step would not know what is left to wipe"
+        };
+        let tries = if tried == 1 { "try" } else { "tries" };
+        remark(&format!(
+            "{wiping} has not reached its goal after {tried} {tries}: {why}; the other steps are planned anew"
+        ));
+    }
+
     /// Plans the steps from here on.
     fn plan_on(&self) -> Result<Sequence, Failure> {
         let last = self.steps.last().map(|step| step.place());
@@ -425,10 +453,10 @@ impl<'a> Course<'a> {
         self.task.plan(&self.situation, place)
     }
 
-    /// Settings for the dirt that an earlier attempt has left.
+    /// Settings for the dirt that an earlier attempt has left, which a camera observes before the next one.
     fn remaining(&self, wiping: &Wiping) -> Vec<(&'static str, String)> {
         let on = [wiping.medium.clone(), wiping.surface.clone()];
-        let Some(earlier) = self.last.get(&on).filter(|_| !wiping.action.treats()) else {
+        let Some(earlier) = self.last.get(&on) else {
             return Vec::new();
         };
         let file = |name: &str| {

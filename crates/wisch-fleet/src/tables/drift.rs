@@ -264,7 +264,7 @@ fn push(rows: &mut Rows, group: &GroupHealth, health: &ChannelHealth) {
         whole(health.recorded),
         Cell::Text(Some(state)),
     ];
-    cells.extend(list_course(assessed));
+    cells.extend(list_trend(assessed));
     cells.push(Cell::Text(
         advice.as_deref().filter(|advice| !advice.is_empty()),
     ));
@@ -272,7 +272,7 @@ fn push(rows: &mut Rows, group: &GroupHealth, health: &ChannelHealth) {
 }
 
 /// Returns the cells from `value` to `needs_attention`.
-fn list_course(assessed: Option<&ChannelAssessment>) -> [Cell<'static>; 19] {
+fn list_trend(assessed: Option<&ChannelAssessment>) -> [Cell<'static>; 19] {
     let trend = assessed.and_then(|assessed| assessed.trend.as_ref());
     let change = assessed.and_then(|assessed| assessed.change.as_ref());
     let left = trend.and_then(|trend| trend.runs_to_limit.as_ref());

@@ -29,7 +29,7 @@ pub use report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
     HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
 };
-pub use words::{ChannelWords, CourseWords, DescribedHealth, GroupWords, HealthWords};
+pub use words::{ChannelWords, DescribedHealth, GroupWords, HealthWords, TrendWords};
 
 pub(crate) use cause::find_cause;
 pub(crate) use change::find_changes;

@@ -52,9 +52,9 @@ pub struct ChannelWords {
     pub channel: &'static str,
     /// Number of runs that record it.
     pub recorded: usize,
-    /// Its course over the runs, as far as it is known.
+    /// Its trend over the runs, as far as it is known.
     #[serde(flatten)]
-    pub course: CourseWords,
+    pub trend: TrendWords,
     /// The findings in a few words; `None` if the channel is not assessed.
     pub finding: Option<&'static str>,
     /// Whether it has a finding that needs attention.
@@ -63,10 +63,10 @@ pub struct ChannelWords {
     pub sentences: Vec<String>,
 }
 
-/// The course of a channel in words, or the reason why it is unknown.
+/// The trend of a channel in words, or the reason why it is unknown.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum CourseWords {
+pub enum TrendWords {
     /// The line since the last sudden change.
     Line {
         /// Present value, with its unit.
@@ -185,7 +185,7 @@ impl ChannelWords {
         Self {
             channel: health.channel.as_str(),
             recorded: health.recorded,
-            course: CourseWords::Unknown { unknown },
+            trend: TrendWords::Unknown { unknown },
             finding: None,
             needs_attention: false,
             sentences: Vec::new(),
@@ -194,13 +194,13 @@ impl ChannelWords {
 
     fn of_assessed(health: &ChannelHealth, assessment: &ChannelAssessment) -> Self {
         let unit = DisplayUnit::of(health.channel);
-        let course = match &assessment.trend {
-            Some(trend) => CourseWords::Line {
+        let trend = match &assessment.trend {
+            Some(trend) => TrendWords::Line {
                 now: unit.value(trend.value),
                 per_run: unit.slope(trend),
                 p: p_text(trend.p_adjusted),
             },
-            None => CourseWords::Unknown {
+            None => TrendWords::Unknown {
                 unknown: too_few(
                     " since the sudden change",
                     assessment.runs_since,
@@ -211,7 +211,7 @@ impl ChannelWords {
         Self {
             channel: health.channel.as_str(),
             recorded: health.recorded,
-            course,
+            trend,
             finding: Some(state_in_words(assessment)),
             needs_attention: !assessment.findings.is_empty(),
             sentences: sentences_on(assessment, unit),

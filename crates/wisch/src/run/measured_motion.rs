@@ -169,7 +169,7 @@ impl<'a> MeasuredMotion<'a> {
     }
 
     /// Returns the doubts about the motion: contradictory measurements, or a robot that did not move as ordered.
-    pub fn doubts(&self) -> Vec<Doubt> {
+    pub fn list_doubts(&self) -> Vec<Doubt> {
         let mut off = self.off.clone();
         off.sort_by(f64::total_cmp);
         let middle = off.get(off.len() / 2).copied();

@@ -1,8 +1,8 @@
 //! Offset between the clocks of force and position.
 //!
-//! A *stay* is a time that the tool spends low over a plane, from its landing to its lift. A *pulse* is a time with a contact
+//! A *span* is a time that the tool spends low over a plane, from its landing to its lift. A *pulse* is a time with a contact
 //! force. If the clocks differ, the same offset leads from landings to the begins of pulses, and from lifts to their ends.
-//! Only this counts as evidence: it needs both the presence of force during a stay, and its absence before and after it. A
+//! Only this counts as evidence: it needs both the presence of force during a span, and its absence before and after it. A
 //! lost contact, or a force that the robot builds up slowly, moves one end of a pulse.
 
 use super::downsampling::MeasuredPiece;
@@ -12,11 +12,11 @@ use crate::geometry::Vector3;
 
 /// Range of the offsets that are corrected [s].
 const OFFSETS: std::ops::RangeInclusive<f64> = 0.07..=3.05;
-/// Largest distance between the end of a stay and the end of its pulse after alignment [s].
+/// Largest distance between the end of a span and the end of its pulse after alignment [s].
 const MATCHED: f64 = 0.15;
 /// Resolution of the offsets that are tried [s].
 const STEP: f64 = 0.02;
-/// Least share of the stays that match a pulse at both ends [1].
+/// Least share of the spans that match a pulse at both ends [1].
 const LEAST_MATCHED: f64 = 0.6;
 /// Least delay of each end of the pulses over that of their middle [1].
 const LEAST_OF_EACH: f64 = 0.5;
@@ -25,10 +25,10 @@ const SHORTEST: f64 = 0.1;
 /// Quantile of the force in the log, which pushes do not reach, and share of it that is a contact force [1].
 const STRONG: f64 = 0.95;
 const CONTACT: f64 = 0.5;
-/// Least number of stays from which the log may rest at the force that stays have without alignment.
+/// Least number of spans from which the log may rest at the force that contacts have without alignment.
 const FEWEST_STAYS: usize = 2;
 
-/// Begin and end of a stay or a pulse [s].
+/// Begin and end of a span or a pulse [s].
 type Span = [f64; 2];
 
 /// Delay of the force's clock behind the position's.
@@ -36,11 +36,11 @@ type Span = [f64; 2];
 pub(super) struct ClockOffset {
     /// The delay [s].
     pub(super) delay: f64,
-    /// Another delay that matches as many stays, if it is unknown which of them holds [s].
+    /// Another delay that matches as many spans, if it is unknown which of them holds [s].
     pub(super) other: Option<f64>,
 }
 
-/// Returns the delay of the force's clock behind the position's; 0 unless stays and pulses show another.
+/// Returns the delay of the force's clock behind the position's; 0 unless spans and pulses show another.
 ///
 /// # Parameters
 /// - `heights`: distances of the pieces from the plane [m].
@@ -52,32 +52,36 @@ pub(super) fn clock_offset(
     limits: [f64; 2],
     (on, free): (&[usize], &[usize]),
 ) -> ClockOffset {
-    let stays = stays(pieces, heights, limits);
+    let spans = find_contact_spans(pieces, heights, limits);
     let [at_rest, in_contact] =
         [free, on].map(|some| bias_and_noise(pieces, some, SensorAxes::Surface).0);
-    let by_rest = best_offset(&stays, &pulses(pieces, at_rest, |_| true));
-    if by_rest.delay != 0.0 || stays.len() < FEWEST_STAYS {
+    let by_rest = best_offset(&spans, &pulses(pieces, at_rest, |_| true));
+    if by_rest.delay != 0.0 || spans.len() < FEWEST_STAYS {
         return by_rest;
     }
-    // With a large offset, most stays are without force. A surface presses outwards.
-    best_offset(&stays, &pulses(pieces, in_contact, |force| force.z > 0.0))
+    // With a large offset, most spans are without force. A surface presses outwards.
+    best_offset(&spans, &pulses(pieces, in_contact, |force| force.z > 0.0))
 }
 
 /// Returns the times at which the tool is on the plane, each between two times clear of it.
-fn stays(pieces: &[MeasuredPiece], heights: &[f64], [low, clear]: [f64; 2]) -> Vec<Span> {
-    let mut stays = Vec::new();
+fn find_contact_spans(
+    pieces: &[MeasuredPiece],
+    heights: &[f64],
+    [low, clear]: [f64; 2],
+) -> Vec<Span> {
+    let mut spans = Vec::new();
     let mut open: Option<Span> = None;
     let mut was_clear = false;
     for (piece, height) in pieces.iter().zip(heights) {
         if *height > clear {
-            stays.extend(open.take().filter(|_| was_clear));
+            spans.extend(open.take().filter(|_| was_clear));
             was_clear = true;
         } else if *height <= low {
             let begin = open.map_or(piece.time[0], |[begin, _]| begin);
             open = Some([begin, piece.time[1]]);
         }
     }
-    stays
+    spans
 }
 
 /// Returns the times of a contact force, relative to the force `rest` in free motion [N]. `is_contact` decides whether a force
@@ -110,8 +114,8 @@ fn pulses(
     pulses
 }
 
-/// Returns the offset with which most stays match a pulse, or 0 if too few do.
-fn best_offset(stays: &[Span], pulses: &[Span]) -> ClockOffset {
+/// Returns the offset with which most spans match a pulse, or 0 if too few do.
+fn best_offset(spans: &[Span], pulses: &[Span]) -> ClockOffset {
     let furthest = *OFFSETS.end();
     let near = |[begin, end]: Span| {
         let from = pulses.partition_point(|pulse| pulse[1] < end - furthest);
@@ -119,10 +123,10 @@ fn best_offset(stays: &[Span], pulses: &[Span]) -> ClockOffset {
         some.take_while(move |pulse| pulse[0] <= begin + furthest)
             .map(move |pulse| [pulse[0] - begin, pulse[1] - end])
     };
-    // Delays of both ends of a pulse behind those of a stay [s].
-    let delays: Vec<Vec<[f64; 2]>> = (stays.iter())
-        .map(|stay| {
-            near(*stay)
+    // Delays of both ends of a pulse behind those of a span [s].
+    let delays: Vec<Vec<[f64; 2]>> = (spans.iter())
+        .map(|span| {
+            near(*span)
                 .filter(|[first, last]| (first - last).abs() <= 2.0 * MATCHED)
                 .collect()
         })
@@ -153,7 +157,7 @@ fn best_offset(stays: &[Span], pulses: &[Span]) -> ClockOffset {
             best = matched;
         }
     }
-    if best.is_empty() || (best.len() as f64) < LEAST_MATCHED * stays.len() as f64 {
+    if best.is_empty() || (best.len() as f64) < LEAST_MATCHED * spans.len() as f64 {
         return ClockOffset::default();
     }
     let usual = |delay: &dyn Fn(&[f64; 2]) -> f64| {
@@ -177,52 +181,52 @@ mod tests {
     use super::*;
 
     /// Stays of one second each, at these times [s].
-    fn stays_at(begins: &[f64]) -> Vec<Span> {
+    fn spans_from(begins: &[f64]) -> Vec<Span> {
         begins.iter().map(|begin| [*begin, begin + 1.0]).collect()
     }
 
     #[test]
-    fn pulses_of_all_stays_show_an_offset() {
-        let stays = stays_at(&[3.0, 5.0, 7.0, 9.0]);
+    fn pulses_in_every_contact_span_show_an_offset() {
+        let spans = spans_from(&[3.0, 5.0, 7.0, 9.0]);
         for offset in [-2.9, -1.0, -0.1, 0.1, 0.5, 1.3, 2.0, 2.9] {
-            let pulses: Vec<Span> = stays
+            let pulses: Vec<Span> = spans
                 .iter()
-                .map(|stay| stay.map(|at| at + offset))
+                .map(|span| span.map(|at| at + offset))
                 .collect();
-            let found = best_offset(&stays, &pulses);
+            let found = best_offset(&spans, &pulses);
             let is_found = (found.delay - offset).abs() < 1e-9 && found.other.is_none();
             assert!(is_found, "{offset}: {found:?}");
         }
-        assert_eq!(best_offset(&stays, &stays), ClockOffset::default());
-        // Without the force of the first stay, the pulses may belong to the stays before.
-        let cut: Vec<Span> = (stays[1..].iter())
-            .map(|stay| stay.map(|at| at - 0.8))
+        assert_eq!(best_offset(&spans, &spans), ClockOffset::default());
+        // Without the force of the first span, the pulses may belong to the spans before.
+        let cut: Vec<Span> = (spans[1..].iter())
+            .map(|span| span.map(|at| at - 0.8))
             .collect();
-        let found = best_offset(&stays, &cut);
+        let found = best_offset(&spans, &cut);
         assert!(found.other.is_some(), "{found:?}");
     }
 
     #[test]
     fn lost_contacts_and_slow_presses_show_no_offset() {
-        let stays = stays_at(&[1.0, 3.0, 5.0]);
-        let early: Vec<Span> = stays
+        let spans = spans_from(&[1.0, 3.0, 5.0]);
+        let early: Vec<Span> = spans
             .iter()
             .map(|[begin, end]| [*begin, end - 0.5])
             .collect();
-        let slow: Vec<Span> = stays
+        let slow: Vec<Span> = spans
             .iter()
             .map(|[begin, end]| [begin + 0.25, *end])
             .collect();
-        // Of one long stay, either half has a force.
-        for (stays, pulses) in [
-            (&stays[..], early),
-            (&stays[..], slow),
+        // Of one long span, either half has a force.
+        for (spans, pulses) in [
+            (&spans[..], early),
+            (&spans[..], slow),
             (&[[1.0, 7.0]], vec![[1.0, 4.0]]),
             (&[[1.0, 7.0]], vec![[4.0, 7.0]]),
             (&[[1.0, 7.0]], vec![[0.0, 1.0], [4.0, 8.0]]),
         ] {
             assert_eq!(
-                best_offset(stays, &pulses),
+                best_offset(spans, &pulses),
                 ClockOffset::default(),
                 "{pulses:?}"
             );

@@ -197,7 +197,7 @@ impl Session<'_> {
         } = watch;
         self.warnings = warnings;
         self.is_stopped |= is_stopped;
-        self.doubts.extend(measured.doubts());
+        self.doubts.extend(measured.list_doubts());
         let broken_off = measured.keep_execution(&executed);
         let executed = match (executed, refused) {
             (_, Some(error)) => Err(error),
