@@ -16,8 +16,8 @@ mod values;
 pub use ask::{AskArgs, EngineChoice};
 pub use budget::Budget;
 pub use eval::{
-    CalibrationArgs, EvalCommand, EvidenceArgs, JournalArgs, ScenarioEvaluationArgs, SensesChoice,
-    SweepArgs, Table1Args,
+    CalibrationArgs, EvalCommand, EvidenceArgs, GoalEvaluationArgs, JournalArgs,
+    ScenarioEvaluationArgs, SensesChoice, SweepArgs, Table1Args,
 };
 pub use film::FilmArgs;
 pub use fleet::{MemoryPullArgs, MemoryPushArgs, SelectionArgs};

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use wisch::source_location::escape_controls;
 
 /// The outcome of a command that ran without an error.
@@ -21,6 +21,8 @@ pub enum Outcome {
 static COLOR: AtomicBool = AtomicBool::new(false);
 /// Whether only errors are shown.
 static QUIET: AtomicBool = AtomicBool::new(false);
+/// Number of functions whose notes are not shown.
+static HUSHED: AtomicUsize = AtomicUsize::new(0);
 /// Whether the command line has `--json`.
 static JSON: AtomicBool = AtomicBool::new(false);
 
@@ -157,9 +159,17 @@ pub fn print_json(record: &impl serde::Serialize) -> Result<(), Failure> {
 
 /// Prints a note on standard error, unless `--quiet` is given.
 pub fn remark(text: &str) {
-    if !QUIET.load(Ordering::Relaxed) {
+    if !QUIET.load(Ordering::Relaxed) && HUSHED.load(Ordering::Relaxed) == 0 {
         complain(&format!("note: {}", escape_controls(text)));
     }
+}
+
+/// Runs a function without the notes of any thread.
+pub fn hush<T>(run: impl FnOnce() -> T) -> T {
+    HUSHED.fetch_add(1, Ordering::Relaxed);
+    let result = run();
+    HUSHED.fetch_sub(1, Ordering::Relaxed);
+    result
 }
 
 /// Asks a question on standard error. Returns whether the answer on standard input is y or yes.

@@ -285,3 +285,39 @@ fn faults_of_parts_name_their_place() {
         assert!(err.contains(expected), "{expected}: {err}");
     }
 }
+
+#[test]
+fn runs_over_seeds_count_what_is_claimed_and_what_is_true() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let args = ["eval", "goals", "board.toml", "--worlds", "1", "--json"];
+    let (code, record, err) = summary_of(folder.path(), &args);
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(err, "", "notes of single runs are not shown");
+    let run = &record["runs"][0];
+    let parts = run["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), 3);
+    for part in parts.iter().filter(|part| part["is_claimed"] == true) {
+        // A part with `not` is no effect of a step, so that no true performance belongs to it.
+        let is_effect = !part["part"].as_str().unwrap().starts_with("(not");
+        assert_eq!(part["truth"].is_number(), is_effect, "{part}");
+    }
+    let times = ["took_s", "best_order_s"].map(|name| run[name].as_f64().unwrap());
+    assert!(times[0] >= times[1] - 1e-9, "{times:?}");
+    let left: Vec<_> = fs::read_dir(folder.path().join("out/goals"))
+        .unwrap()
+        .collect();
+    assert_eq!(
+        left.len(),
+        3,
+        "goals.json, goals.md and the journal: {left:?}"
+    );
+    let again = wisch(
+        folder.path(),
+        &["eval", "goals", "board.toml", "--worlds", "1"],
+    );
+    assert_eq!(again.0, 2, "{}", again.2);
+    let (code, _, err) = wisch(folder.path(), &["eval", "goals", "table"]);
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("wisch eval scenarios"), "{err}");
+}

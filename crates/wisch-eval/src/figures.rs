@@ -1,6 +1,7 @@
 //! The figures that each evaluation publishes, with the targets of the paper and of the project.
 
 use crate::evidence::PublishedFigure as Figure;
+use crate::goal_run::GoalScores;
 use crate::interval::binomial_interval;
 use crate::quantity::{Quantity, QuantitySummary};
 use crate::scenario::{Quartiles, ScenarioScores};
@@ -33,6 +34,15 @@ const TOUCH_CRPS: [f64; 2] = [1.0, 0.75];
 const FALSE_CLAIMS: [Option<f64>; 2] = [None, Some(0.1)];
 /// Shares of the misplaced dirt that suitable tools of Fig. 13 bring to the goal \[%\].
 const FIG_13: [(&str, f64); 2] = [("solar-panel-wiper", 85.0), ("broom-chippings", 80.0)];
+
+/// Share of the runs of a goal in which all its parts are reached \[%\].
+const GOAL_REACHED: [Option<f64>; 2] = [Some(90.0), None];
+/// Share of the runs of a goal with a false claim \[%\].
+const GOAL_FALSE_CLAIMS: [Option<f64>; 2] = [None, Some(0.0)];
+/// Time of all steps of a goal as a multiple of the best order.
+const GOAL_TIME: [Option<f64>; 2] = [None, Some(1.1)];
+/// Time to compute the order of the steps \[s\].
+const GOAL_ORDERING: [Option<f64>; 2] = [None, Some(1.0)];
 
 /// Quantities of Table 1 and of sweeps, with the names of their tables, unit, and decimals.
 const QUANTITIES: [(Quantity, &str, &str, usize); 13] = [
@@ -256,6 +266,37 @@ pub fn table1_figures(rows: &[Table1Row], reached: [usize; 2]) -> Vec<Figure> {
             ));
         }
     }
+    figures
+}
+
+/// Lists the figures of a goal over seeds: of all its parts together, of each part, and of the times.
+pub fn goal_figures(of: &GoalScores) -> Vec<Figure> {
+    let share = |place, count| share_of(place, count, of.runs, "runs");
+    let of_all = |column| ["parts of the goal", "all parts", column];
+    let mut figures = vec![
+        share(of_all("reached"), of.reached).with_target(GOAL_REACHED, PROJECT),
+        share(of_all("claimed"), of.claimed),
+        share(of_all("false claims"), of.false_claims).with_target(GOAL_FALSE_CLAIMS, PROJECT),
+    ];
+    for part in &of.parts {
+        let place = |column| ["parts of the goal", &*part.part, column];
+        figures.push(share(place("reached"), part.reached));
+        figures.push(share(place("claimed"), part.claimed));
+        figures.push(share(place("false claims"), part.false_claims));
+        figures.push(median(place("true performance"), part.truth, of.runs));
+    }
+    let time = |row, of_runs: Option<Quartiles>, unit, decimals| {
+        let Quartiles([_, first, median, third, _]) = of_runs.unwrap_or(Quartiles([f64::NAN; 5]));
+        Figure::from_value(["times", row, "median"], median, unit, decimals)
+            .with_interval(QUARTILES, [first, third])
+            .with_count(of.runs, "runs")
+    };
+    figures.push(time("all steps", of.took_s, "s", 1));
+    figures.push(time("of the expected time", of.of_expected, "", 2));
+    figures
+        .push(time("of the best order", of.of_best_order, "", 2).with_target(GOAL_TIME, PROJECT));
+    let ordering = time("computing the order", of.ordering_s, "s", 4);
+    figures.push(ordering.with_target(GOAL_ORDERING, PROJECT));
     figures
 }
 

@@ -3,13 +3,14 @@
 //! A seed determines a world ([`WorldCase`]): its task, how it differs from the robot's belief, and its disturbances.
 //! [`WorldCase::evaluate`] runs the method in the world, and compares the method's estimates and those of three simpler
 //! estimators on the same rounds with ground truth. [`Calibration`] summarises many worlds. [`ScenarioRun`] is one run of a
-//! shipped scenario in its own world. [`WipingScore`] scores a task that is planned, followed or executed once; the paper's
+//! shipped scenario in its own world, and [`GoalRunScore`] one of a goal of several parts. [`WipingScore`] scores a task that is planned, followed or executed once; the paper's
 //! Table 1 ([`Table1Case`]) and sweeps over keys of a task ([`Axis`]) consist of these scores. [`SeedUse`] defines the
 //! ranges of seeds. An [`EvidenceFile`] keeps published figures with what is needed to measure them again.
 
 mod baselines;
 mod evidence;
 mod figures;
+mod goal_run;
 mod interval;
 mod picture;
 mod protocol;
@@ -31,7 +32,10 @@ pub use evidence::{
     EvidenceError, EvidenceFile, PLANNING_CODE, PublishedFigure, PublishedInterval,
     PublishedTarget, SIMULATION_CODE,
 };
-pub use figures::{calibration_figures, scenario_figures, sweep_figures, table1_figures};
+pub use figures::{
+    calibration_figures, goal_figures, scenario_figures, sweep_figures, table1_figures,
+};
+pub use goal_run::{GoalPartScore, GoalPartScores, GoalRunScore, GoalScores};
 pub use interval::binomial_interval;
 pub use picture::Picture;
 pub use protocol::SeedUse;

@@ -37,6 +37,17 @@ Writes scenarios.json and scenarios.md. The ranges of seeds are those of `wisch 
 
 Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
     Scenarios(ScenarioEvaluationArgs),
+    /// Run a task whose goal has several parts over many seeds, each in the simulated world that it describes
+    #[command(after_help = "\
+Examples:
+  wisch eval goals kitchen --worlds 20                     how many parts are claimed, and really reached
+  wisch eval goals kitchen.toml --first-seed 1000 --worlds 100 --shard 1/2 --out out/tuned
+
+Each run is one of `wisch run`, in a folder that is removed afterwards. Writes goals.json, goals.md, and \
+runs-*.jsonl, which --resume and other shards read. The ranges of seeds are those of `wisch eval calibration`.
+
+Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]
+    Goals(GoalEvaluationArgs),
     /// Reproduce the paper's Table 1: three surfaces, three actions, every strategy, over seeds
     #[command(after_help = "\
 Examples:
@@ -215,6 +226,35 @@ pub struct ScenarioEvaluationArgs {
     pub touch_only: bool,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/scenarios", value_hint = ValueHint::DirPath)]
+    pub out: PathBuf,
+    /// The evidence.
+    #[command(flatten)]
+    pub evidence: EvidenceArgs,
+    /// Print one JSON object instead of the summary
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `eval goals`.
+#[derive(Debug, Args)]
+pub struct GoalEvaluationArgs {
+    /// Name of a shipped scenario whose goal has several parts, or such a task file
+    #[arg(value_name = "TASK", value_hint = ValueHint::FilePath)]
+    pub task: String,
+    /// Number of worlds; each has its own seed
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub worlds: u64,
+    /// Seed of the first world; the next worlds count up from it
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub first_seed: u64,
+    /// Use no camera, even if the task has one
+    #[arg(long)]
+    pub touch_only: bool,
+    /// The part to do.
+    #[command(flatten)]
+    pub journal: JournalArgs,
+    /// Folder for the results
+    #[arg(long, value_name = "DIR", default_value = "out/goals", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
     /// The evidence.
     #[command(flatten)]

@@ -2,8 +2,8 @@
 
 use super::budget::in_evaluations;
 use super::follow::{Chosen, describe_stand, follow_plan, workcell};
+use super::goal::read_goal;
 use super::prepare::{self, stage_failure};
-use super::steps::read_goal;
 use super::words::{counted, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;

@@ -5,7 +5,7 @@ use super::log_observation::{observation_in, unused_remark};
 use super::log_report::page;
 use super::out_folder::folder_name;
 use super::prepare::{self, stage_failure};
-use super::run::given_plan;
+use super::wipe::given_plan;
 use super::words::{counted, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;

@@ -8,10 +8,12 @@ mod engine;
 mod eval;
 mod explain;
 mod export;
+mod extent;
 mod film;
 mod fleet;
 mod follow;
 mod footprint;
+mod goal;
 mod health;
 mod import;
 mod interpret;
@@ -37,12 +39,12 @@ mod run;
 mod scenarios;
 mod setup;
 mod shell;
-mod steps;
 mod studio;
 mod summary;
 mod surface;
 mod warnings;
 mod watch;
+mod wipe;
 mod words;
 
 use crate::args::{Cli, Command, EvalCommand, MemoryCommand, RobotCommand, SurfaceCommand};
@@ -76,6 +78,7 @@ pub fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Command::Check(args) => check::check(args, &cli.global),
         Command::Eval(EvalCommand::Calibration(args)) => eval::calibration(args, &cli.global),
         Command::Eval(EvalCommand::Scenarios(args)) => eval::scenarios(args, &cli.global),
+        Command::Eval(EvalCommand::Goals(args)) => eval::goals(args, &cli.global),
         Command::Eval(EvalCommand::Table1(args)) => eval::table1(args, &cli.global),
         Command::Eval(EvalCommand::Sweep(args)) => eval::sweep(args, &cli.global),
         Command::Memory(MemoryCommand::List(args)) => memory::list(args),

@@ -1,6 +1,7 @@
 //! `wisch eval`: evaluates planning, wiping and estimation in many simulated worlds.
 
 mod calibration;
+mod goals;
 mod journal;
 mod scenarios;
 mod sweep;
@@ -8,6 +9,7 @@ mod table1;
 mod wipings;
 
 pub use calibration::calibration;
+pub use goals::goals;
 pub use scenarios::scenarios;
 pub use sweep::sweep;
 pub use table1::table1;
@@ -68,11 +70,20 @@ fn begin_evidence(
     parts: Option<(&Path, &JournalArgs)>,
     is_executed: bool,
 ) -> Result<Option<EvidenceFile>, Failure> {
+    let simulated = is_executed.then_some(SIMULATION_CODE);
+    begin_evidence_of(args, parts, simulated.as_slice())
+}
+
+/// Begins the evidence file of an evaluation that depends on the code of planning and on further `code`.
+fn begin_evidence_of(
+    args: &EvidenceArgs,
+    parts: Option<(&Path, &JournalArgs)>,
+    code: &[&str],
+) -> Result<Option<EvidenceFile>, Failure> {
     let Some(path) = &args.evidence else {
         return Ok(None);
     };
-    let mut code = PLANNING_CODE.to_vec();
-    code.extend(is_executed.then_some(SIMULATION_CODE));
+    let code = [&PLANNING_CODE[..], code].concat();
     let name = parts.map_or_else(String::new, |(_, journal)| journal.shard.to_string());
     let journal = parts.map(|(out, _)| (out, &*name));
     EvidenceFile::begin(path, &code, journal)

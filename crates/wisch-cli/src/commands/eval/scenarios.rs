@@ -85,6 +85,7 @@ fn in_words(record: &ScenariosRecord) -> String {
     let mut text = record.provenance.in_words(senses) + ".\n\n";
     text += "| scenario | runs | rounds | after round 1 | of the misplaced dirt | at the end | met | claimed | false | in 90 % interval | error | pushes detected |\n";
     text += "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    let in_percent = |of: Option<Quartiles>| of.map_or_else(|| "–".to_owned(), in_percent);
     for scores in &record.scenarios {
         let _ = writeln!(
             text,
@@ -92,9 +93,9 @@ fn in_words(record: &ScenariosRecord) -> String {
             scores.scenario,
             scores.runs,
             scores.rounds,
-            quartiles(scores.first),
-            quartiles(scores.moved),
-            quartiles(scores.last),
+            in_percent(scores.first),
+            in_percent(scores.moved),
+            in_percent(scores.last),
             scores.met,
             scores.claimed,
             scores.false_claims,
@@ -107,16 +108,13 @@ fn in_words(record: &ScenariosRecord) -> String {
     text
 }
 
-fn quartiles(of: Option<Quartiles>) -> String {
-    let Some(Quartiles([least, first, median, third, greatest])) = of else {
-        return "–".to_owned();
-    };
-    format!(
-        "{} ({} to {}; {} to {})",
-        points(median),
-        points(first),
-        points(third),
-        points(least),
-        points(greatest)
-    )
+/// Formats quartiles of shares in percent.
+pub(super) fn in_percent(of: Quartiles) -> String {
+    quartiles(of, points)
+}
+
+/// Formats the median with the other quartiles and the extremes.
+pub(super) fn quartiles(of: Quartiles, number: impl Fn(f64) -> String) -> String {
+    let [least, first, median, third, greatest] = of.0.map(number);
+    format!("{median} ({first} to {third}; {least} to {greatest})")
 }

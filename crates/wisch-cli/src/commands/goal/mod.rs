@@ -1,0 +1,10 @@
+//! Goals of several parts: a command wipes step by step, in the order of least expected time, and plans anew when a step
+//! fails.
+
+mod session;
+mod summary;
+mod task;
+
+pub(super) use session::GoalRun;
+pub(super) use summary::{GoalPart, GoalSummary, TakenStep};
+pub(super) use task::{GoalTask, read_goal};

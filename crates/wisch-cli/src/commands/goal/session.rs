@@ -1,0 +1,319 @@
+//! Executes the steps of a goal in the order of least expected time, and plans anew when a step fails.
+
+use super::super::prepare::stage_failure;
+use super::super::wipe::SurfaceOutcome;
+use super::summary::{
+    AssumedTimes, CHANGE, EMPTY, GoalPart, GoalSummary, SCHEMA, SPEED, TakenStep,
+};
+use super::summary::{describe_sequence, describe_step, time_of};
+use super::task::{Expected, GoalTask};
+use crate::args::TaskArgs;
+use crate::failure::Failure;
+use crate::terminal::remark;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use wisch::goal::{GoalLiteral, Sequence, Situation, Step, StepPlace, StepTimes, Wiping};
+use wisch_io::{PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, path_in_results};
+
+/// How often a wiping action is tried before another one is planned for.
+const TRIES: u32 = 2;
+
+/// A command over the steps of a goal.
+pub struct GoalRun<'a> {
+    task: &'a GoalTask<'a>,
+    situation: Situation<'a>,
+    is_executed: bool,
+    out: PathBuf,
+    steps: Vec<TakenStep>,
+    tries: BTreeMap<Wiping, u32>,
+    /// Wiping actions whose goals were not met when they were last tried or predicted.
+    unmet: BTreeSet<Wiping>,
+    /// Folder of the last attempt at a medium on a surface, relative to the folder of results.
+    last: BTreeMap<[String; 2], PathBuf>,
+    /// Times of the motions of wiping actions that reached their goals, with all their tries [s].
+    taken: BTreeMap<Wiping, f64>,
+    clock: f64,
+    /// Computation time of the sequences.
+    ordering: Duration,
+}
+
+/// Step times as they were taken; actions that were not taken, or missed their goals, have none.
+struct TakenTimes<'a> {
+    task: &'a GoalTask<'a>,
+    wipings: &'a BTreeMap<Wiping, f64>,
+}
+
+impl StepTimes for TakenTimes<'_> {
+    fn wiping(&self, wiping: &Wiping) -> Option<f64> {
+        self.wipings.get(wiping).copied()
+    }
+
+    fn handling(&self, name: &str) -> f64 {
+        self.task.handling(name)
+    }
+
+    fn moving(&self, from: StepPlace<'_>, to: StepPlace<'_>) -> f64 {
+        self.task.moving(from, to)
+    }
+}
+
+impl<'a> GoalRun<'a> {
+    /// Begins before the first step. `is_executed`: whether steps are executed; otherwise each is assumed to succeed.
+    pub fn begin(task: &'a GoalTask<'a>, is_executed: bool, out: PathBuf) -> Result<Self, Failure> {
+        let situation = task.file.situation();
+        Ok(Self {
+            task,
+            situation: situation.map_err(|error| stage_failure(task.args, error))?,
+            is_executed,
+            out,
+            steps: Vec::new(),
+            tries: BTreeMap::new(),
+            unmet: BTreeSet::new(),
+            last: BTreeMap::new(),
+            taken: BTreeMap::new(),
+            clock: 0.0,
+            ordering: Duration::ZERO,
+        })
+    }
+
+    /// Takes the steps. `wipe` executes a wiping step, with its arguments and the folder of its results.
+    pub fn run(
+        mut self,
+        wipe: &mut dyn FnMut(&TaskArgs, &Path) -> Result<SurfaceOutcome, Failure>,
+    ) -> Result<(GoalSummary, Option<Failure>), Failure> {
+        let mut sequence = self.plan_on()?;
+        let expected_s = sequence.time();
+        remark(&describe_sequence(&sequence));
+        let mut broken = None;
+        while let Some(step) = sequence.steps.first().cloned() {
+            let Some(wiping) = step.wiping.clone() else {
+                self.situation.apply(&step);
+                self.note(&step, step.time, None, 0);
+                sequence.steps.remove(0);
+                continue;
+            };
+            let (number, tries) = (self.steps.len() + 1, *self.tries.get(&wiping).unwrap_or(&0));
+            let name = format!("step-{number}");
+            let args = self
+                .task
+                .part(&self.situation, &wiping, &self.remaining(&wiping))?;
+            let wiped = match wipe(&args, &self.out.join(&name)) {
+                Ok(wiped) => wiped,
+                Err(failure) => {
+                    let failure = failure.after(&format!("step {number}, {wiping}"));
+                    if self.steps.iter().all(|step| step.summary.is_none()) {
+                        return Err(failure);
+                    }
+                    let place = self.out.display();
+                    remark(&format!(
+                        "the steps before it are finished and kept in {place}"
+                    ));
+                    broken = Some(failure);
+                    break;
+                }
+            };
+            let is_stopped = wiped.is_stopped;
+            let is_reached = wiped.is_met || !self.is_executed;
+            if !wiped.is_met {
+                self.unmet.insert(wiping.clone());
+            } else {
+                self.unmet.remove(&wiping);
+            }
+            // The way to the surface is not part of the motions.
+            let way = step.time - self.task.wiping(&wiping).unwrap_or(step.time);
+            let took = time_of(&wiped.summary).map_or(step.time, |motions| way + motions);
+            *self.taken.entry(wiping.clone()).or_default() += took - way;
+            let fact = self.situation.effect_of(&wiping);
+            self.note(&step, took, Some(wiped), tries);
+            if let (Some(taken), Some(fact)) = (self.steps.last_mut(), fact) {
+                taken.part = Some(fact.to_string());
+            }
+            let on = [wiping.medium.clone(), wiping.surface.clone()];
+            self.last.insert(on, PathBuf::from(name));
+            if is_reached {
+                self.situation.apply(&step);
+                sequence.steps.remove(0);
+            } else {
+                self.note_failure(&wiping);
+            }
+            if is_stopped {
+                remark(&format!(
+                    "stopped at step {number}: the steps after it are not carried out"
+                ));
+                break;
+            }
+            if !is_reached {
+                sequence = self.plan_on()?;
+            }
+        }
+        Ok((self.finish(expected_s), broken))
+    }
+
+    /// Counts a try whose goal was not met, and rules actions out that are not to be tried again.
+    fn note_failure(&mut self, wiping: &Wiping) {
+        let tried = self.tries.entry(wiping.clone()).or_default();
+        *tried += 1;
+        let tried = *tried;
+        // A new session knows where dirt is left only if it sees it.
+        let is_retried = self.task.observed.contains(wiping) && !wiping.action.treats();
+        if is_retried && tried < TRIES {
+            return;
+        }
+        let of_dirt = self.task.expected.keys().filter(|other| {
+            *other == wiping
+                || (!is_retried
+                    && (&other.medium, &other.surface) == (&wiping.medium, &wiping.surface))
+        });
+        for other in of_dirt {
+            self.situation.rule_out(other);
+        }
+        self.taken.remove(wiping);
+        let why = if is_retried {
+            "it is ruled out"
+        } else {
+            "it is ruled out, with all tools, because a new step would not know what is left to wipe"
+        };
+        let tries = if tried == 1 { "try" } else { "tries" };
+        remark(&format!(
+            "{wiping} has not reached its goal after {tried} {tries}: {why}; the other steps are planned anew"
+        ));
+    }
+
+    /// Plans the steps from here on.
+    fn plan_on(&mut self) -> Result<Sequence, Failure> {
+        let last = self.steps.last().map(|step| step.place());
+        let place = match &last {
+            Some((true, name)) => StepPlace::Surface(name),
+            Some((false, name)) => StepPlace::Rack(name),
+            None => StepPlace::Start,
+        };
+        let began = Instant::now();
+        let sequence = self.task.plan(&self.situation, place);
+        self.ordering += began.elapsed();
+        sequence
+    }
+
+    /// Settings for the dirt that an earlier attempt has left, which a camera observes before the next one.
+    fn remaining(&self, wiping: &Wiping) -> Vec<(&'static str, String)> {
+        let on = [wiping.medium.clone(), wiping.surface.clone()];
+        let Some(earlier) = self.last.get(&on) else {
+            return Vec::new();
+        };
+        let file = |name: &str| {
+            let path = self.out.join(earlier).join(path_in_results(name));
+            let path = std::path::absolute(&path).unwrap_or(path);
+            path.exists().then(|| {
+                let path = serde_json::Value::from(path.display().to_string());
+                format!("{{ source = \"csv\", file = {path} }}")
+            })
+        };
+        let mut settings = Vec::new();
+        if let Some(believed) = file(PARTICLES_ESTIMATED_FILE) {
+            settings.push(("particles", believed));
+        }
+        if let Some(real) = file(PARTICLES_TRUE_FILE) {
+            settings.push(("execution.dirt", real));
+        }
+        settings
+    }
+
+    fn note(&mut self, step: &Step, took: f64, wiped: Option<SurfaceOutcome>, earlier_tries: u32) {
+        self.steps.push(TakenStep {
+            step: step.to_string(),
+            part: None,
+            words: describe_step(step),
+            expected_s: step.time,
+            began_s: self.clock,
+            took_s: took,
+            goal_met: wiped.as_ref().map(|wiped| wiped.is_met),
+            earlier_tries,
+            summary: wiped.map(|wiped| wiped.summary),
+        });
+        self.clock += took;
+    }
+
+    fn finish(self, expected_s: f64) -> GoalSummary {
+        let file = self.task.file;
+        let best_order = self.find_best_order();
+        let open = self.task.plan(&self.situation, StepPlace::Start);
+        let left_out = open.map(|sequence| sequence.left_out).unwrap_or_default();
+        let parts: Vec<GoalPart> = (file.goal.parts())
+            .map(|(holds, fact)| {
+                let part = if holds {
+                    fact.to_string()
+                } else {
+                    format!("(not {fact})")
+                };
+                let reason = left_out.iter().find(|(left, _)| *left == part);
+                let reason = reason.map(|(_, reason)| self.explain(fact, reason));
+                // Without an execution, a step is assumed to succeed; its prediction may say otherwise.
+                let unmet = self.unmet.iter().find(|wiping| {
+                    self.situation.effect_of(wiping).as_ref() == Some(fact)
+                        || (!holds && fact.arguments() == [wiping.surface.clone()])
+                });
+                let unmet =
+                    unmet.map(|wiping| format!("{wiping}: its goal is not predicted to be met"));
+                GoalPart {
+                    holds: self.situation.holds(fact) == holds && unmet.is_none(),
+                    left_out: reason.or(unmet),
+                    part,
+                }
+            })
+            .collect();
+        GoalSummary {
+            format: "wisch-steps",
+            schema: SCHEMA,
+            task: file.name.clone(),
+            goal: file.goal.to_string(),
+            goal_met: parts.iter().all(|part| part.holds),
+            is_executed: self.is_executed,
+            expected_s,
+            took_s: self.clock,
+            ordering_s: self.ordering.as_secs_f64(),
+            best_order_s: best_order,
+            assumed: AssumedTimes {
+                fetch_or_put_back_s: CHANGE,
+                empty_s: EMPTY,
+                speed_m_per_s: SPEED,
+            },
+            parts,
+            steps: self.steps,
+            expected_actions: self.task.expected_actions(),
+            out: self.out.display().to_string(),
+        }
+    }
+
+    /// Returns the time of the best order of the steps that reached their goals, had their times been known before.
+    fn find_best_order(&self) -> Option<f64> {
+        let taken = TakenTimes {
+            task: self.task,
+            wipings: &self.taken,
+        };
+        let situation = self.task.file.situation().ok()?;
+        let sequence = situation.plan(&self.task.file.goal, StepPlace::Start, &taken);
+        sequence.ok().map(|sequence| sequence.time())
+    }
+
+    /// Explains why no step reaches a fact: by the actions for its objects that are impossible, else by `reason`.
+    fn explain(&self, fact: &GoalLiteral, reason: &str) -> String {
+        let names = fact.arguments();
+        let of_fact = self.task.expected.iter().filter_map(|(wiping, expected)| {
+            let serves = self.situation.effect_of(wiping).as_ref() == Some(fact)
+                || (names == [wiping.surface.clone()]);
+            match expected {
+                Expected::Impossible(why) if serves => Some(format!("{wiping}: {why}")),
+                _ if serves && self.tries.contains_key(wiping) => {
+                    Some(format!("{wiping}: its goal was not reached"))
+                }
+                _ => None,
+            }
+        });
+        let why: Vec<String> = of_fact.collect();
+        if why.is_empty() {
+            reason.to_owned()
+        } else {
+            why.join("; ")
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! What a command for a goal of several parts reports: as JSON, in words, and as a page.
+
+use super::super::patches::performance_of;
+use super::super::words::counted;
+use serde::Serialize;
+use std::path::Path;
+use wisch::goal::{Sequence, Step};
+use wisch_io::Summary;
+
+/// The schema of the object.
+pub const SCHEMA: u32 = 1;
+/// Assumed times of fetching or putting back a tool, and of emptying one [s], and speed of ways between places [m/s].
+pub const CHANGE: f64 = 10.0;
+pub const EMPTY: f64 = 20.0;
+pub const SPEED: f64 = 0.3;
+
+/// A step that a command has taken.
+#[derive(Serialize)]
+pub struct TakenStep {
+    /// The step as a PDDL action, such as `(grasp sponge)`.
+    pub step: String,
+    /// The part of the goal that the wiping step serves; null for other steps.
+    pub part: Option<String>,
+    /// What it does, in words.
+    pub words: String,
+    /// Expected time, with the way to its place [s].
+    pub expected_s: f64,
+    /// Time since the first step at which it began [s].
+    pub began_s: f64,
+    /// Its time [s]: of a wiping step the motions, with the expected way to its place; of others as expected.
+    pub took_s: f64,
+    /// Whether the goal of the wiping step is met; null for other steps.
+    pub goal_met: Option<bool>,
+    /// How often this wiping step was tried before; 0 for other steps.
+    pub earlier_tries: u32,
+    /// Summary of the wiping step; null for other steps.
+    pub summary: Option<Summary>,
+}
+
+/// A part of the goal.
+#[derive(Serialize)]
+pub struct GoalPart {
+    pub part: String,
+    /// Whether it holds after the last step, as far as is known.
+    pub holds: bool,
+    /// Why it does not hold: no sequence of steps reaches it, or its step missed its target; null otherwise.
+    pub left_out: Option<String>,
+}
+
+/// What is expected of an action that may serve the goal.
+#[derive(Serialize)]
+pub struct ExpectedAction {
+    pub wiping: String,
+    /// Time of a round [s], expected number of rounds, and predicted performance of a round; null if it is impossible.
+    pub round_s: Option<f64>,
+    pub rounds: Option<f64>,
+    pub predicted: Option<f64>,
+    /// Why it is impossible; null if it is possible.
+    pub impossible: Option<String>,
+}
+
+/// What a command for a goal of several parts has found.
+#[derive(Serialize)]
+pub struct GoalSummary {
+    pub format: &'static str,
+    pub schema: u32,
+    pub task: String,
+    pub goal: String,
+    /// Whether every part of the goal holds, as far as is known.
+    pub goal_met: bool,
+    /// Whether the steps were executed; otherwise each step is assumed to reach its goal.
+    pub is_executed: bool,
+    /// Expected time of the sequence that was planned before the first step [s].
+    pub expected_s: f64,
+    /// Time of all steps [s].
+    pub took_s: f64,
+    /// Time to compute the order of the steps [s].
+    pub ordering_s: f64,
+    /// Time of the best order of the steps that reached their goals, had their times been known before [s].
+    pub best_order_s: Option<f64>,
+    /// Assumed times of steps without a motion [s], and assumed speed of ways between places [m/s].
+    pub assumed: AssumedTimes,
+    pub parts: Vec<GoalPart>,
+    pub steps: Vec<TakenStep>,
+    pub expected_actions: Vec<ExpectedAction>,
+    pub out: String,
+}
+
+/// Assumed times of steps without a motion.
+#[derive(Serialize)]
+pub struct AssumedTimes {
+    pub fetch_or_put_back_s: f64,
+    pub empty_s: f64,
+    pub speed_m_per_s: f64,
+}
+
+impl TakenStep {
+    /// Whether the step ended at a surface, and the name of the surface or tool.
+    pub fn place(&self) -> (bool, String) {
+        match &self.summary {
+            Some(summary) => (true, summary.surface.clone()),
+            None => {
+                let mut words = self.step.trim_matches(['(', ')']).split(' ');
+                (false, words.next_back().unwrap_or_default().to_owned())
+            }
+        }
+    }
+}
+
+/// Time of the motions of a wiping step [s].
+pub fn time_of(summary: &Summary) -> Option<f64> {
+    match (&summary.execution, &summary.following) {
+        (Some(execution), _) => Some(execution.total(|round| round.execution_time_s)),
+        (None, Some(following)) => Some(following.execution_time_s),
+        (None, None) => None,
+    }
+}
+
+/// A step in words.
+pub fn describe_step(step: &Step) -> String {
+    match (&step.wiping, step.name()) {
+        (Some(wiping), _) => wiping.to_string(),
+        (None, "grasp") => format!("fetch {}", step.objects().join(" ")),
+        (None, "release") => format!("put {} back", step.objects().join(" ")),
+        (None, name) => format!("{name} {}", step.objects().join(" ")),
+    }
+}
+
+pub fn describe_sequence(sequence: &Sequence) -> String {
+    let steps: Vec<String> = sequence.steps.iter().map(describe_step).collect();
+    let mut text = match steps.len() {
+        0 => "no step is needed".to_owned(),
+        count => format!(
+            "{} in {:.0} s as expected: {}",
+            counted(count, "step"),
+            sequence.time(),
+            steps.join(", ")
+        ),
+    };
+    for (part, reason) in &sequence.left_out {
+        text += &format!("; {part} is left out: {reason}");
+    }
+    text
+}
+
+impl GoalSummary {
+    /// Whether every part of the goal holds, as far as is known.
+    pub const fn is_met(&self) -> bool {
+        self.goal_met
+    }
+
+    /// The summary for people.
+    pub fn in_words(&self) -> String {
+        let mut text = format!("{}: {}\n", self.task, self.goal);
+        let mut add = |name: &str, value: String| text += &format!("  {name:<18} {value}\n");
+        let holding = self.parts.iter().filter(|part| part.holds).count();
+        let parts = counted(self.parts.len(), "part");
+        let how = if self.is_executed {
+            "as estimated"
+        } else {
+            "as predicted, not executed"
+        };
+        add("goal", format!("{holding} of {parts} hold, {how}"));
+        for part in self.parts.iter().filter(|part| !part.holds) {
+            let why = part.left_out.as_deref().unwrap_or("not reached");
+            add("open", format!("{}: {why}", part.part));
+        }
+        for (step, number) in self.steps.iter().zip(1..) {
+            let TakenStep {
+                words,
+                took_s,
+                expected_s,
+                ..
+            } = step;
+            let times = format!("{took_s:.1} s ({expected_s:.1} s expected)");
+            let result = match (&step.summary, step.goal_met) {
+                (Some(summary), Some(is_met)) => {
+                    format!(
+                        ", {}: {}",
+                        performance_of(summary),
+                        if is_met { "met" } else { "not met" }
+                    )
+                }
+                _ => String::new(),
+            };
+            add(
+                &format!("step {number}"),
+                format!("{words}: {times}{result}"),
+            );
+        }
+        add(
+            "time",
+            format!("{:.1} s ({:.1} s expected)", self.took_s, self.expected_s),
+        );
+        add(
+            "assumed",
+            format!(
+                "{CHANGE} s to fetch or put back a tool, {EMPTY} s to empty one, {SPEED} m/s between places"
+            ),
+        );
+        add("results", self.out.clone());
+        text
+    }
+
+    /// The page over all steps, which links to those of the wiping steps.
+    pub fn page(&self) -> String {
+        let rows: Vec<wisch_report::StepRow> = (self.steps.iter().zip(1..))
+            .map(|(step, number)| wisch_report::StepRow {
+                words: step.words.clone(),
+                began: step.began_s,
+                took: step.took_s,
+                expected: step.expected_s,
+                result: match (&step.summary, step.goal_met) {
+                    (Some(summary), Some(true)) => format!("{}: met", performance_of(summary)),
+                    (Some(summary), _) => format!("{}: not met", performance_of(summary)),
+                    (None, _) => String::new(),
+                },
+                report: (step.summary.as_ref())
+                    .filter(|summary| Path::new(&summary.out).join(wisch_io::REPORT_FILE).exists())
+                    .map(|_| format!("step-{number}/{}", wisch_io::REPORT_FILE)),
+            })
+            .collect();
+        let parts: Vec<(String, String)> = (self.parts.iter())
+            .map(|part| {
+                let state = match (&part.left_out, part.holds) {
+                    (_, true) => "holds".to_owned(),
+                    (Some(why), false) => format!("does not hold: {why}"),
+                    (None, false) => "does not hold".to_owned(),
+                };
+                (part.part.clone(), state)
+            })
+            .collect();
+        let time = format!("{:.1} s ({:.1} s expected)", self.took_s, self.expected_s);
+        let assumed = format!(
+            "{CHANGE} s to fetch or put back a tool, {EMPTY} s to empty one, {SPEED} m/s between places"
+        );
+        let facts = [("time".to_owned(), time), ("assumed".to_owned(), assumed)];
+        wisch_report::steps_page(&self.task, &[&parts[..], &facts[..]].concat(), &rows)
+    }
+}

@@ -1,0 +1,276 @@
+//! The wiping actions that may serve a goal of several parts, and what is expected of each.
+
+use super::super::follow::{Chosen, read_robot, workcell_config};
+use super::super::prepare::{load, stage_failure};
+use super::super::words::{internal, percent};
+use super::summary::{CHANGE, EMPTY, ExpectedAction, SPEED};
+use crate::args::{RobotArgs, TaskArgs};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::ControlFlow;
+use wisch::goal::{Sequence, Situation, StepPlace, StepTimes, Wiping};
+use wisch::run::{NoExecutor, RunConfig, Stage};
+use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot};
+
+/// Least predicted performance at which further rounds are expected to reach a target [1].
+const LEAST_PREDICTED: f64 = 0.05;
+
+/// What is expected of a wiping action.
+#[derive(Debug, Clone)]
+pub(super) enum Expected {
+    /// It is expected to reach its target.
+    Reaches {
+        /// Time of a round, with the robot's whole motion, or of the strokes without a robot [s].
+        round_s: f64,
+        /// Expected number of rounds.
+        rounds: f64,
+        /// Predicted performance of a round.
+        predicted: f64,
+    },
+    /// It cannot be done, for this reason.
+    Impossible(String),
+}
+
+/// A task with a goal of several parts, and what is expected of the actions that may serve it.
+pub struct GoalTask<'a> {
+    pub(super) args: &'a TaskArgs,
+    pub(super) file: &'a GoalFile,
+    pub(super) expected: BTreeMap<Wiping, Expected>,
+    /// Origins of the surfaces in the world [m].
+    surfaces: BTreeMap<String, [f64; 3]>,
+    has_robot: bool,
+    /// Actions whose dirt a camera observes.
+    pub(super) observed: BTreeSet<Wiping>,
+}
+
+/// Reads the task, if its goal has several parts.
+pub fn read_goal(args: &TaskArgs) -> Result<Option<GoalFile>, Failure> {
+    let options = LoadOptions {
+        settings: args.settings.clone(),
+        knowledge: args.knowledge.clone(),
+        action: args.action,
+        strategy: args.strategy,
+        seed: args.seed,
+    };
+    Ok(GoalFile::read(&args.task, &options)?)
+}
+
+impl<'a> GoalTask<'a> {
+    /// Plans every action that may serve the goal, with the robot if there is one, to know its expected time.
+    pub fn evaluate(
+        args: &'a TaskArgs,
+        file: &'a GoalFile,
+        robot: Option<&RobotArgs>,
+        progress: &Progress,
+    ) -> Result<Self, Failure> {
+        let situation = file
+            .situation()
+            .map_err(|error| stage_failure(args, error))?;
+        let mut task = Self {
+            args,
+            file,
+            expected: BTreeMap::new(),
+            surfaces: BTreeMap::new(),
+            has_robot: false,
+            observed: BTreeSet::new(),
+        };
+        let mut known: Option<Robot> = None;
+        let wipings = situation.possible_wipings(&file.goal);
+        for (wiping, number) in wipings.iter().zip(1..) {
+            progress.say(format!("planning {wiping} ({number} of {})", wipings.len()));
+            let part = task.part(&situation, wiping, &[])?;
+            let loaded = match load(&part, &KeptFiles::default()) {
+                Ok(loaded) => loaded,
+                // The file as a whole is valid; it lacks what this action needs.
+                Err(failure) => {
+                    let why = Expected::Impossible(failure.to_string());
+                    task.expected.insert(wiping.clone(), why);
+                    continue;
+                }
+            };
+            let at = loaded.task.surface.world_from_surface.translation.vector;
+            task.surfaces.insert(wiping.surface.clone(), at.into());
+            let chosen = robot
+                .map(|robot| Chosen::new(robot, &loaded))
+                .transpose()?
+                .flatten();
+            if let (Some(chosen), None) = (&chosen, &known) {
+                known = Some(read_robot(chosen, &part)?);
+            }
+            let robot = chosen.as_ref().zip(known.as_ref());
+            task.has_robot |= robot.is_some();
+            if loaded.file.camera.is_some() {
+                task.observed.insert(wiping.clone());
+            }
+            task.expected.insert(wiping.clone(), expect(&loaded, robot));
+        }
+        Ok(task)
+    }
+
+    /// Whether a robot follows the strokes.
+    pub const fn has_robot(&self) -> bool {
+        self.has_robot
+    }
+
+    /// Returns the arguments of the task of a wiping action, with further settings.
+    pub fn part(
+        &self,
+        situation: &Situation<'_>,
+        wiping: &Wiping,
+        further: &[(&str, String)],
+    ) -> Result<TaskArgs, Failure> {
+        let Wiping {
+            action,
+            tool,
+            medium,
+            surface,
+        } = wiping;
+        let fact = situation.effect_of(wiping);
+        let fact = fact.ok_or_else(|| internal("a wiping action has no effect"))?;
+        let text = |text: &str| serde_json::Value::from(text).to_string();
+        let own = [
+            ("goal", text(&fact.to_string())),
+            (
+                "name",
+                text(&format!("{}-{action}-{medium}-{surface}", self.file.name)),
+            ),
+            ("tool.name", text(tool)),
+            ("tool.in_hand", text(tool)),
+            ("tool.available", "[]".to_owned()),
+        ];
+        let mut args = self.args.clone();
+        let added = own.iter().chain(further);
+        args.settings
+            .extend(added.map(|(key, value)| ((*key).to_owned(), value.clone())));
+        Ok(args)
+    }
+
+    /// Plans the sequence of least expected time from a situation.
+    pub fn plan(
+        &self,
+        situation: &Situation<'_>,
+        place: StepPlace<'_>,
+    ) -> Result<Sequence, Failure> {
+        let sequence = situation.plan(&self.file.goal, place, self);
+        sequence.map_err(|error| stage_failure(self.args, error))
+    }
+
+    pub(super) fn expected_actions(&self) -> Vec<ExpectedAction> {
+        let actions = self.expected.iter().map(|(wiping, expected)| {
+            let (numbers, impossible) = match expected {
+                Expected::Reaches {
+                    round_s,
+                    rounds,
+                    predicted,
+                } => (Some([*round_s, *rounds, *predicted]), None),
+                Expected::Impossible(why) => (None, Some(why.clone())),
+            };
+            ExpectedAction {
+                wiping: wiping.to_string(),
+                round_s: numbers.map(|[round_s, _, _]| round_s),
+                rounds: numbers.map(|[_, rounds, _]| rounds),
+                predicted: numbers.map(|[_, _, predicted]| predicted),
+                impossible,
+            }
+        });
+        actions.collect()
+    }
+
+    fn place_of(&self, place: StepPlace<'_>) -> Option<[f64; 3]> {
+        match place {
+            StepPlace::Start => None,
+            StepPlace::Surface(name) => self.surfaces.get(name).copied(),
+            StepPlace::Rack(name) => {
+                let mut tools = self.file.tools.iter();
+                tools.find(|tool| tool.name == name)?.position
+            }
+        }
+    }
+}
+
+impl StepTimes for GoalTask<'_> {
+    fn wiping(&self, wiping: &Wiping) -> Option<f64> {
+        match self.expected.get(wiping)? {
+            Expected::Reaches {
+                round_s, rounds, ..
+            } => Some(round_s * rounds),
+            Expected::Impossible(_) => None,
+        }
+    }
+
+    fn handling(&self, name: &str) -> f64 {
+        if name == "empty" { EMPTY } else { CHANGE }
+    }
+
+    fn moving(&self, from: StepPlace<'_>, to: StepPlace<'_>) -> f64 {
+        match (self.place_of(from), self.place_of(to)) {
+            (Some(from), Some(to)) => {
+                let squares = from.iter().zip(to).map(|(a, b)| (a - b).powi(2));
+                squares.sum::<f64>().sqrt() / SPEED
+            }
+            _ => 0.0,
+        }
+    }
+}
+
+/// Plans a task, with the robot if there is one, and predicts it.
+fn expect(loaded: &LoadedTask, robot: Option<(&Chosen<'_>, &Robot)>) -> Expected {
+    let config = RunConfig {
+        workcell: robot.map_or_else(Default::default, |(chosen, _)| {
+            workcell_config(chosen, loaded)
+        }),
+        ..loaded.run.clone()
+    };
+    let mut session = wisch::run::Session::new(&loaded.task, config).with_belief(loaded.belief());
+    let until = match robot {
+        Some((_, robot)) => {
+            session = session.with_robot(robot.robot_setup());
+            Stage::Audited
+        }
+        None => Stage::Planned,
+    };
+    let mut ignore = |_: &wisch::run::RunEvent<'_>| ControlFlow::Continue(());
+    if let Err(error) = session.run_until(until, &mut NoExecutor, &mut ignore) {
+        return Expected::Impossible(error.to_string());
+    }
+    let (round_s, performance) = match (session.first_motion(), session.plan()) {
+        (Some((_, audit)), _) if !audit.is_sound() => {
+            let fault = audit.faults.first().map(ToString::to_string);
+            return Expected::Impossible(format!("unsafe motion: {}", fault.unwrap_or_default()));
+        }
+        (Some((motion, _)), _) => (motion.followed.duration(), motion.prediction.performance),
+        (None, Some(plan)) => {
+            let predicted = wisch::plan::predict(&loaded.task, plan, |_| {});
+            (plan.total_distance() / SPEED, predicted.performance)
+        }
+        (None, None) => return Expected::Impossible("there is no plan".to_owned()),
+    };
+    let (predicted, target) = (performance.ratio(), loaded.run.target);
+    let lost = performance.lost as f64 / performance.initial.max(1) as f64;
+    if lost > 1.0 - target {
+        let lost = percent(lost);
+        return Expected::Impossible(format!(
+            "a plan would lose {lost} of the dirt over an edge, and the target is {}",
+            percent(target)
+        ));
+    }
+    if predicted < LEAST_PREDICTED {
+        return Expected::Impossible(format!(
+            "a plan is predicted to reach {} only, and the target is {}",
+            percent(predicted),
+            percent(target)
+        ));
+    }
+    // A round leaves the share 1 - r of the dirt, and n rounds (1 - r)^n.
+    let rounds = if predicted >= target {
+        1.0
+    } else {
+        ((1.0 - target).max(1e-3).ln() / (1.0 - predicted).ln()).max(1.0)
+    };
+    Expected::Reaches {
+        round_s,
+        rounds,
+        predicted,
+    }
+}
