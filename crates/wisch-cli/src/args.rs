@@ -137,6 +137,7 @@ Examples:
   wisch run board.toml --robot my_arm.urdf --rounds 2
   wisch run board.toml --set 'execution.surface_tilt_rad=[0.05, 0]' --seed 7
   wisch run board.toml --robot none         without a robot: plan and predict
+  wisch run kitchen                         a goal of several parts: step by step, with several tools
   wisch run board.toml --on ur5e.toml --speed 0.25      on a ROS 2 robot; asks before each round
   wisch run board.toml --json | jq '.rounds[] | {predicted, estimated, true_performance}'
 
@@ -269,6 +270,7 @@ Examples:
 Examples:
   wisch new                     print the file
   wisch new board.toml          write it to board.toml
+  wisch new goal.toml --goal    write a task with a goal of several parts
   wisch new board.toml --force  overwrite an existing board.toml")]
     New(NewArgs),
     /// List the shipped scenarios; commands accept their names in place of a task file
