@@ -89,6 +89,11 @@ fn packages_are_found_above_the_urdf_and_by_the_task() {
         }
         let (code, out, err) = check(folder.path(), &[urdf]);
         assert_eq!(code, 0, "{urdf}: {out}{err}");
+        // A copy without its manifest, from another working directory.
+        fs::remove_file(folder.path().join(manifest)).expect("removed");
+        let path = folder.path().join(urdf).display().to_string();
+        let (code, out, err) = check(&root(), &[&path]);
+        assert_eq!(code, 0, "{urdf}: {out}{err}");
     }
 
     let folder = folder_with(&ARM.replace("package://", "package:///"));
@@ -113,6 +118,11 @@ fn packages_are_found_above_the_urdf_and_by_the_task() {
     let told = "collision meshes of rod cannot be read, and are not checked for collisions: \
                 mesh \"package:///rods/rod.stl\": the package rods is unknown; add --package rods=DIR";
     assert!(err.contains(told), "{err}");
+    // The tool would be held somewhere inside the rod.
+    assert!(
+        err.contains("the outermost point of the hand, which is unknown"),
+        "{err}"
+    );
     // A sweep with an invalid value ends before its first run.
     let sweep = ["eval", "sweep", "bare.toml", "--set", "strategy=none"];
     for args in [&sweep[..], &["robot", "map", "arm.urdf", "--samples", "10"]] {

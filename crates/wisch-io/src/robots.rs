@@ -530,10 +530,14 @@ fn find_package(name: &str, file: &str, urdf: &Path) -> Option<PathBuf> {
     }
     let paths = |variable: &str| -> Vec<PathBuf> {
         let value = std::env::var_os(variable).unwrap_or_default();
-        std::env::split_paths(&value).collect()
+        // An unset variable has one empty path, which would be the working directory.
+        std::env::split_paths(&value)
+            .filter(|path| !path.as_os_str().is_empty())
+            .collect()
     };
     let is_named = |folder: &Path| folder.file_name().is_some_and(|own| own == name);
     let is_package = |folder: &PathBuf| folder.join("package.xml").is_file();
+    let holds_file = |folder: &Path| !file.is_empty() && folder.join(file).is_file();
     let ros = paths("ROS_PACKAGE_PATH").into_iter().flat_map(|folder| {
         let inside = folder.join(name);
         [Some(folder).filter(|folder| is_named(folder)), Some(inside)]
@@ -545,7 +549,8 @@ fn find_package(name: &str, file: &str, urdf: &Path) -> Option<PathBuf> {
     let whole = std::path::absolute(urdf).ok()?;
     let above = whole.ancestors().skip(1).map(Path::to_path_buf);
     let mut near = above.flat_map(|folder| {
-        let beside = Some(folder.join(name)).filter(is_package);
+        let beside = Some(folder.join(name));
+        let beside = beside.filter(|beside| is_package(beside) || holds_file(beside));
         [Some(folder).filter(|folder| is_named(folder)), beside]
     });
     declared
@@ -554,7 +559,8 @@ fn find_package(name: &str, file: &str, urdf: &Path) -> Option<PathBuf> {
         .or_else(|| near.find_map(|folder| folder.filter(|folder| folder.is_dir())))
         .or_else(|| {
             let mut above = whole.ancestors().skip(1);
-            let holds = |folder: &&Path| !file.is_empty() && folder.join(file).is_file();
-            above.find(holds).map(Path::to_path_buf)
+            above
+                .find(|folder| holds_file(folder))
+                .map(Path::to_path_buf)
         })
 }

@@ -137,6 +137,16 @@ pub enum FollowError {
         /// The link that holds the tool.
         tip: String,
     },
+    /// A collision mesh of the hand cannot be read, so that nobody knows where the hand ends.
+    #[error(
+        "the tool is held at the outermost point of the hand, which is unknown, because the collision mesh of {link:?} cannot be read ({why}); provide the mesh, for example with [robot] packages, or declare the distance of the tool from the flange: [tool.mount] on = \"flange\" and distance_m"
+    )]
+    UnknownHand {
+        /// Name of the link.
+        link: String,
+        /// Why its mesh cannot be read.
+        why: String,
+    },
     /// The target surface cannot serve as an obstacle.
     #[error("surface: {0}")]
     Surface(#[source] MeshError),

@@ -6,7 +6,7 @@ use crate::follow::FollowError;
 use crate::geometry::{Mesh, Point3, Pose, Vector3};
 use crate::represent::{Mount, Tool};
 use crate::robot::setup::hand_extent;
-use crate::robot::{LinkAxis, LinkId, RobotModel, Srdf};
+use crate::robot::{DiagnosticKind, LinkAxis, LinkId, RobotModel, Srdf, Subject};
 use nalgebra::{Translation3, UnitQuaternion};
 use std::f64::consts::PI;
 use std::fmt;
@@ -81,6 +81,16 @@ impl HeldTool {
         let axis = own_axis
             .or_else(|| known.map(|holder| holder.axis))
             .unwrap_or_default();
+        let is_distance_declared = matches!(
+            mount,
+            Mount::Flange {
+                distance: Some(_),
+                ..
+            }
+        );
+        if !is_distance_declared {
+            check_hand_shapes(robot, group.tip)?;
+        }
         let hand = tip_from_hand(robot, group.tip, axis, &group.ready)?;
         let holder = match mount {
             Mount::Flange {
@@ -157,6 +167,25 @@ fn find_gap(tool: &Tool, tool_from_hand: &Pose) -> Option<f64> {
     let nearest = hand.sup(&low.coords).inf(&high.coords);
     let gap = (hand - nearest).norm();
     (gap > AT_TOOL).then_some(gap)
+}
+
+/// Refuses a hand of which a collision mesh cannot be read: the tool would be held inside it.
+fn check_hand_shapes(robot: &RobotModel, tip: LinkId) -> Result<(), FollowError> {
+    let links = robot.carried_links(tip).into_iter();
+    let names: Vec<&str> = links
+        .map(|link| robot.links()[link.index()].name.as_str())
+        .collect();
+    let unread = robot.diagnostics().iter().find_map(|found| {
+        let Subject::Link(link) = &found.subject else {
+            return None;
+        };
+        let is_unread = found.kind == DiagnosticKind::Mesh && names.contains(&link.as_str());
+        is_unread.then(|| (link.clone(), found.value.clone()))
+    });
+    match unread {
+        Some((link, why)) => Err(FollowError::UnknownHand { link, why }),
+        None => Ok(()),
+    }
 }
 
 /// Returns the end of a hand in the frame of its link: its z axis is the link's `axis`, and it is at the outermost
