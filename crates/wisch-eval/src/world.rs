@@ -97,7 +97,7 @@ impl MismatchKind {
         let sign = if random.random::<bool>() { 1.0 } else { -1.0 };
         let angle = TAU * random.random::<f64>();
         settings.dirt = match self {
-            Self::AsBelieved => TrueDirt::Listed(task.particles.remaining().collect()),
+            Self::AsBelieved => TrueDirt::Listed(task.particles.clone()),
             Self::Clusters => TrueDirt::Clusters(None),
             Self::Stripe => TrueDirt::Stripe {
                 center: None,

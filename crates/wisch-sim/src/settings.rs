@@ -6,7 +6,7 @@ use wisch::follow::Followed;
 use wisch::geometry::{Point2, Pose, Vector2, Vector3};
 use wisch::represent::{
     Cluster, DirtMobility, GrainSize, KnowledgeBase, KnowledgeError, LogNormal, MediumKind,
-    SensorModel, SurfaceShape, Task,
+    ParticleDistribution, SensorModel, SurfaceShape, Task,
 };
 
 /// Diameters of the drops of a liquid on a surface that they wet [m].
@@ -155,8 +155,9 @@ pub struct Camera {
 /// Spatial distribution of the true dirt in a simulated world, in the frame of the true surface.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TrueDirt {
-    /// At these points \[m\]; the stated number of grains is ignored.
-    Listed(Vec<Point2>),
+    /// At these particles; the stated number of grains is ignored. Particles that earlier wiping has removed count in the
+    /// performance.
+    Listed(ParticleDistribution),
     /// Uniformly over the free surface.
     Uniform,
     /// In heaps; `None` draws 1 to 6 heaps, each with a standard deviation of 1 to 10 cm, anywhere on the surface.
@@ -195,7 +196,7 @@ impl SimulationSettings {
     /// Returns the number of particles if it exceeds [`Self::max_bodies`], so that no dirt is simulated.
     pub fn count_over_limit(&self) -> Option<usize> {
         let count = match (&self.dirt, self.count) {
-            (TrueDirt::Listed(places), _) => places.len(),
+            (TrueDirt::Listed(particles), _) => particles.remaining().count(),
             (_, GrainCount::Exactly(count) | GrainCount::About(count)) => count,
         };
         (count > self.max_bodies).then_some(count)
@@ -223,8 +224,7 @@ impl SimulationSettings {
         let medium = knowledge.medium(&task.medium)?;
         // Points of a treated surface need no bodies.
         let (dirt, max_bodies) = if task.action.treats() {
-            let points = task.particles.remaining().collect();
-            (TrueDirt::Listed(points), usize::MAX)
+            (TrueDirt::Listed(task.particles.clone()), usize::MAX)
         } else {
             (TrueDirt::Uniform, Self::MAX_BODIES)
         };

@@ -13,8 +13,7 @@ use crate::particles::{csv_particles, mask_particles};
 use nalgebra::{Translation3, UnitQuaternion};
 use wisch::geometry::{Pose, Vector3};
 use wisch::represent::{
-    Cone, DirtArea, GrainSize, KnowledgeBase, ParticleDistribution, SensorModel, Surface,
-    SurfaceShape, Task,
+    Cone, DirtArea, GrainSize, KnowledgeBase, SensorModel, Surface, SurfaceShape, Task,
 };
 use wisch_sim::{
     Camera, FrictionChange, GrainCount, Moment, Push, RealTool, Sensing, SimulationSettings,
@@ -317,10 +316,8 @@ fn true_dirt(
         outline: &task.surface.outline,
         occupied: &task.occupied_area(),
     };
-    let listed =
-        |particles: ParticleDistribution| TrueDirt::Listed(particles.remaining().collect());
     let (dirt, count) = match &table.value {
-        DirtTable::AsBelieved {} => (listed(task.particles.clone()), &None),
+        DirtTable::AsBelieved {} => (TrueDirt::Listed(task.particles.clone()), &None),
         DirtTable::Uniform { count } => (TrueDirt::Uniform, count),
         DirtTable::Clusters { count, clusters } => {
             let given = clusters.as_ref().map(heaps).transpose()?;
@@ -347,7 +344,7 @@ fn true_dirt(
             let (at, path) = (&file.place, &file.value.0);
             let particles = csv_particles(path, &super::resolve::read(assets, at, path)?, area);
             let dirt = particles.map_err(|error| TaskError::particles(at, error))?;
-            (listed(dirt), &None)
+            (TrueDirt::Listed(dirt), &None)
         }
         DirtTable::Image {
             file,
@@ -362,7 +359,7 @@ fn true_dirt(
             // A different seed than for believed particles of the same image.
             let particles = mask_particles(&mask, &bytes, area, !task.seed);
             let dirt = particles.map_err(|error| TaskError::particles(at, error))?;
-            (listed(dirt), &None)
+            (TrueDirt::Listed(dirt), &None)
         }
     };
     Ok((dirt, count.map(|count| count.0 as usize)))

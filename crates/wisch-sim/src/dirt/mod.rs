@@ -4,7 +4,7 @@ mod places;
 
 pub use places::WorkSurface;
 
-use crate::{SimulationError, SimulationSettings};
+use crate::{SimulationError, SimulationSettings, TrueDirt};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wisch::geometry::Point2;
@@ -47,8 +47,16 @@ impl Dirt {
         settings: &SimulationSettings,
         seed: u64,
     ) -> Result<Self, SimulationError> {
-        let places = places::draw_positions(&settings.dirt, surface, settings, seed)?;
-        let particles = ParticleDistribution::new(&places).map_err(SourceError::from)?;
+        let particles = match &settings.dirt {
+            // More grains than the settings allow to simulate.
+            _ if settings.count_over_limit().is_some() => ParticleDistribution::new(&[]),
+            TrueDirt::Listed(particles) => Ok(particles.clone()),
+            dirt => {
+                let places = places::draw_positions(dirt, surface, settings, seed)?;
+                ParticleDistribution::new(&places)
+            }
+        };
+        let particles = particles.map_err(SourceError::from)?;
         let drawn = Self::scatter(&particles, settings, seed);
         Ok(match settings.mobility {
             DirtMobility::Slides(friction) => {

@@ -99,19 +99,13 @@ fn stream(seed: u64, number: u64) -> ChaCha8Rng {
     random
 }
 
-/// Draws the positions of the grains [m]; none if there are more than the settings allow to simulate.
+/// Draws the positions of the grains [m]; none for a list.
 pub(super) fn draw_positions(
     dirt: &TrueDirt,
     surface: &WorkSurface,
     settings: &SimulationSettings,
     seed: u64,
 ) -> Result<Vec<Point2>, SourceError> {
-    if settings.count_over_limit().is_some() {
-        return Ok(Vec::new());
-    }
-    if let TrueDirt::Listed(places) = dirt {
-        return Ok(places.clone());
-    }
     let count = match settings.count {
         GrainCount::Exactly(count) => count,
         GrainCount::About(count) => {
