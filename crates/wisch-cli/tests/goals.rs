@@ -22,11 +22,11 @@ fn write_board(folder: &Path) {
         position_m = [0.0, 0.0, 0.77]
         [[medium]]
         name = "water"
-        particles = { source = "clusters", count = 40, clusters = [{ center_m = [0.0, 0.0], sigma_m = 0.03 }] }
+        particles = { source = "clusters", count = 40, clusters = [{ center_m = [-0.08, 0.04], sigma_m = 0.02 }] }
         [[medium]]
         name = "breadcrumbs"
         particles = { source = "uniform", count = 40 }
-        collect = { goal_m = [0.05, 0.0] }
+        collect = { goal_m = [0.09, -0.05] }
         [perception]
         senses = ["touch", "sight"]
         [robot]
@@ -320,4 +320,124 @@ fn runs_over_seeds_count_what_is_claimed_and_what_is_true() {
     let (code, _, err) = wisch(folder.path(), &["eval", "goals", "table"]);
     assert_eq!(code, 2, "{err}");
     assert!(err.contains("wisch eval scenarios"), "{err}");
+}
+
+#[test]
+fn what_would_pass_over_collected_dirt_is_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    // The crumbs are to be collected where the water lies.
+    let args = [
+        "plan",
+        "board.toml",
+        "--json",
+        "--set",
+        "collect.goal_m=[-0.08, 0.04]",
+    ];
+    let (code, summary, _) = summary_of(folder.path(), &args);
+    assert_eq!(code, 1, "{summary:#}");
+    assert_eq!(
+        steps(&summary),
+        ["(collect sponge breadcrumbs chopping_board)"]
+    );
+    let reason = summary["parts"][1]["left_out"].as_str().unwrap();
+    assert!(
+        reason.contains("would pass over the breadcrumbs"),
+        "{reason}"
+    );
+    assert_eq!(summary["is_predicted"], false);
+    assert_eq!(summary["steps"][0]["goal_met"], Value::Null);
+}
+
+#[test]
+fn a_missed_step_fills_the_tool_and_truth_counts_all_dirt() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let args = [
+        "run",
+        "board.toml",
+        "--json",
+        "--no-memory",
+        "--set",
+        "goal=\"(and (absorbed breadcrumbs chopping_board))\"",
+        "--set",
+        "execution.mu=0.0",
+        "--set",
+        "execution.max_rounds=1",
+    ];
+    let (_, summary, err) = summary_of(folder.path(), &args);
+    let taken = steps(&summary);
+    let absorb = "(absorb sponge breadcrumbs chopping_board)";
+    assert_eq!(taken[..3], [absorb, "(empty sponge)", absorb], "{err}");
+    let truth = |index: usize| {
+        summary["steps"][index]["summary"]["final_true"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(
+        truth(0) > 0.0 && truth(2) >= truth(0),
+        "{} {}",
+        truth(0),
+        truth(2)
+    );
+    let list = fs::read_to_string(
+        folder
+            .path()
+            .join("out/board/step-3/particles/particles-true.csv"),
+    );
+    let absorbed = list
+        .unwrap()
+        .lines()
+        .filter(|line| line.contains("absorbed"))
+        .count();
+    assert!(
+        (absorbed as f64 / 40.0 - truth(2)).abs() < 0.1,
+        "{absorbed} {}",
+        truth(2)
+    );
+}
+
+#[test]
+fn goals_of_one_part_and_parts_that_follow_are_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let check = |goal: &str| {
+        let goal = format!("goal=\"{goal}\"");
+        let (code, out, err) = wisch(folder.path(), &["check", "board.toml", "--set", &goal]);
+        (code, out + &err)
+    };
+    let (code, text) = check("(not (wet chopping_board))");
+    assert!(
+        text.contains("(absorbed water chopping_board): "),
+        "{code} {text}"
+    );
+    let (code, text) = check("(and (absorbed water chopping_board))");
+    assert!(
+        text.contains("(absorbed water chopping_board): "),
+        "{code} {text}"
+    );
+    let (code, text) = check("(and (absorbed water chopping_board) (absorbed water tabel))");
+    assert_eq!(code, 2, "{text}");
+    assert!(text.contains("tabel"), "{text}");
+    let (code, text) =
+        check("(and (absorbed water chopping_board) (polished water chopping_board))");
+    assert_eq!(code, 1, "{text}");
+    assert!(
+        text.contains("(polished water chopping_board): cannot be reached"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_scene_of_several_surfaces_stands_in_the_world() {
+    let folder = tempfile::tempdir().unwrap();
+    let task = fs::read_to_string(root().join("scenarios/kitchen.toml")).unwrap();
+    let cup = "\n[[scene]]\nname = \"cup\"\nframe = \"surface\"\nbox_m = [0.05, 0.05, 0.1]\n";
+    fs::write(folder.path().join("cup.toml"), task + cup).unwrap();
+    let (code, _, err) = wisch(folder.path(), &["check", "cup.toml"]);
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        err.contains("a different place for each of the surfaces"),
+        "{err}"
+    );
 }

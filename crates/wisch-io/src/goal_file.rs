@@ -29,7 +29,7 @@ pub struct GoalFile {
 }
 
 impl GoalFile {
-    /// Reads a task file, or a shipped scenario by its name; `None` if its goal has a single part, or if it has an action.
+    /// Reads a task file, or a shipped scenario by its name; `None` if its goal is a single fact, or if it has an action.
     ///
     /// # Errors
     /// If the file cannot be read, or a table of any of its parts is invalid.
@@ -49,7 +49,17 @@ impl GoalFile {
                 "goal".to_owned(),
                 format!("(on {} {})", on.medium, on.surface),
             );
-            let settings: Vec<_> = options.settings.iter().cloned().chain([part]).collect();
+            // Any tool serves to read the tables of the medium.
+            let tool = parts.tools.iter().map(|tool| &tool.name);
+            let tool = tool.chain(&parts.tool_in_hand).next();
+            let tool = tool.map(|name| {
+                (
+                    "tool.name".to_owned(),
+                    serde_json::Value::from(name.as_str()).to_string(),
+                )
+            });
+            let settings = options.settings.iter().cloned().chain([part]).chain(tool);
+            let settings: Vec<_> = settings.collect();
             TaskFile::parse(&shown, &text, &settings)?.extend(&mut knowledge)?;
         }
         let Parts {

@@ -192,6 +192,85 @@ fn what_cannot_be_reached_is_left_out_and_the_rest_is_planned() {
 }
 
 #[test]
+fn what_was_collected_is_not_passed_over() {
+    let (domain, knowledge) = (domain(), knowledge(0));
+    let text = "(and (collected breadcrumbs table) (absorbed water table))";
+    let goal = CompoundGoal::parse(text).unwrap();
+    let media = [on("water", "table"), on("breadcrumbs", "table")];
+    let mut situation =
+        Situation::new(&domain, &knowledge, &goal, &media, Some("sponge"), &[]).unwrap();
+    let planned = |situation: &Situation<'_>| {
+        situation
+            .plan(&goal, StepPlace::Start, &Times::default())
+            .unwrap()
+    };
+    let apart = planned(&situation);
+    assert_eq!(apart.left_out, []);
+    let absorb = apart.steps[1].wiping.clone().unwrap();
+    situation.note_sweep(&absorb, "breadcrumbs");
+    let sequence = planned(&situation);
+    assert_eq!(steps(&sequence), ["(collect sponge breadcrumbs table)"]);
+    assert_eq!(sequence.left_out[0].0, "(absorbed water table)");
+    let reason = &sequence.left_out[0].1;
+    assert!(
+        reason.contains("would pass over the breadcrumbs"),
+        "{reason}"
+    );
+    // If it happens all the same, the crumbs are not collected, and are not collected again.
+    for step in &apart.steps {
+        situation.apply(step);
+    }
+    assert!(!situation.holds(goal.parts().next().unwrap().1));
+    assert!(planned(&situation).steps.is_empty());
+}
+
+#[test]
+fn a_step_that_misses_its_goal_still_fills_the_tool() {
+    let (domain, knowledge) = (domain(), knowledge(0));
+    let goal = CompoundGoal::parse("(and (absorbed water table) (absorbed water floor))").unwrap();
+    let media = [on("water", "table"), on("water", "floor")];
+    let mut situation =
+        Situation::new(&domain, &knowledge, &goal, &media, Some("sponge"), &[]).unwrap();
+    let plan = situation.plan(&goal, StepPlace::Start, &Times::default());
+    let first = plan.unwrap().steps[0].clone();
+    situation.apply_missed(&first);
+    let fact = goal.parts().map(|(_, fact)| situation.holds(fact));
+    assert_eq!(fact.collect::<Vec<_>>(), [false, false]);
+    let again = situation.plan(&goal, StepPlace::Start, &Times::default());
+    assert_eq!(again.unwrap().steps[0].name(), "empty");
+}
+
+#[test]
+fn nothing_lies_under_a_treatment_and_a_coat_goes_last() {
+    let media = [on("breadcrumbs", "table"), on("polishing_paste", "table")];
+    let goal = "(and (polished polishing_paste table) (not (wet table)))";
+    let sequence = plan(goal, &media, &["sponge", "brush"]);
+    let steps = steps(&sequence);
+    assert!(
+        steps.contains(&"(absorb sponge breadcrumbs table)".to_owned()),
+        "{steps:?}"
+    );
+    assert!(
+        !steps.iter().any(|step| step.starts_with("(collect")),
+        "{steps:?}"
+    );
+    // The brush can only collect.
+    let sequence = plan("(and (polished polishing_paste table))", &media, &["brush"]);
+    assert_eq!(sequence.steps, []);
+
+    let media = [on("paint", "table"), on("polishing_paste", "table")];
+    let goal = "(and (dispensed paint table) (polished polishing_paste table))";
+    let sequence = plan(goal, &media, &["window_wiper", "sponge", "brush"]);
+    let steps = self::steps(&sequence);
+    let at = |action: &str| steps.iter().position(|step| step.starts_with(action));
+    assert!(
+        at("(polish").is_some() && at("(polish") < at("(dispense"),
+        "{steps:?} {:?}",
+        sequence.left_out
+    );
+}
+
+#[test]
 fn goals_that_are_no_conjunctions_of_facts_are_refused() {
     for (text, expected) in [
         ("(and)", "goal:1:1: expected a fact, found `(and ...)`"),

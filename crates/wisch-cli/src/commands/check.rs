@@ -13,7 +13,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use wisch::follow::{Followed, Workcell};
 use wisch::geometry::{Bounds2, Mesh, Point2};
-use wisch::goal::GoalLiteral;
+use wisch::goal::{Sequence, StepPlace, StepTimes, Wiping};
 use wisch::plan::{BendContact, FreeSpace, NodeRole, Plan, Prediction, predict};
 use wisch::represent::{Action, GoalState, SurfaceShape, Task, describe_weak_reaction};
 use wisch::run::{NoExecutor, Stage, check_score, ignore_events};
@@ -34,16 +34,32 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     }
 }
 
-/// Checks the task of each part of a goal. Parts that no tool and medium can bring about are the effect of others.
+/// Equal times of all steps, for the parts of a goal that can be reached at all.
+struct EqualTimes;
+
+impl StepTimes for EqualTimes {
+    fn wiping(&self, _: &Wiping) -> Option<f64> {
+        Some(1.0)
+    }
+
+    fn handling(&self, _: &str) -> f64 {
+        1.0
+    }
+
+    fn moving(&self, _: StepPlace<'_>, _: StepPlace<'_>) -> f64 {
+        0.0
+    }
+}
+
+/// Checks the task of each wiping step that the goal needs, and names the parts that no step can reach.
 fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let is_wiped = |fact: &GoalLiteral| {
-        let names = fact.arguments();
-        (file.media.iter()).any(|on| names == [on.medium.clone(), on.surface.clone()])
-    };
-    let parts: Vec<String> = (file.goal.parts())
-        .filter(|(holds, fact)| *holds && is_wiped(fact))
-        .map(|(_, fact)| fact.to_string())
-        .collect();
+    let failure = |error| stage_failure(&args.task, error);
+    let situation = file.situation().map_err(failure)?;
+    let sequence = situation.plan(&file.goal, StepPlace::Start, &EqualTimes);
+    let Sequence { steps, left_out } = sequence.map_err(failure)?;
+    let wipings = steps.iter().filter_map(|step| step.wiping.as_ref());
+    let facts = wipings.filter_map(|wiping| situation.effect_of(wiping));
+    let parts: Vec<String> = facts.map(|fact| fact.to_string()).collect();
     if args.json {
         let problem = format!(
             "--json checks one part of the goal, but the goal has {}",
@@ -56,6 +72,12 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
         });
     }
     let mut outcome = Outcome::Done;
+    for (part, reason) in left_out {
+        if !global.quiet {
+            print(&format!("{part}: cannot be reached: {reason}\n"))?;
+        }
+        outcome = Outcome::GoalNotMet;
+    }
     for part in parts {
         if !global.quiet {
             print(&format!("{part}: "))?;

@@ -1,8 +1,9 @@
 //! `wisch plan --explain`: the plans of all strategies side by side.
 
+use super::swept::cover;
 use super::words::percent;
-use wisch::plan::{Plan, predict};
-use wisch::represent::{GoalState, Task};
+use wisch::plan::Plan;
+use wisch::represent::Task;
 use wisch::run::CandidateEvaluation;
 use wisch_io::CandidateSummary;
 
@@ -32,7 +33,7 @@ pub(super) fn candidates(
             score: found.map(|found| found.score.total),
             predicted_performance: performance.map(|performance| performance.ratio()),
             lost_share: performance.map(|p| p.lost as f64 / p.initial.max(1) as f64),
-            covered_share: plan.map(|plan| covered(plan, task)),
+            covered_share: plan.map(|plan| cover(plan, task)),
             distance_in_contact_m: plan.map(Plan::contact_distance),
             distance_total_m: plan.map(Plan::total_distance),
             strokes: plan.map(|plan| plan.strokes.len()),
@@ -42,13 +43,6 @@ pub(super) fn candidates(
         }
     });
     candidates.collect()
-}
-
-/// The share of the particles that the tool passes over if they do not move [1].
-fn covered(plan: &Plan, task: &Task) -> f64 {
-    let mut taken_up = plan.clone();
-    taken_up.graph.goal = GoalState::Absorbed;
-    predict(task, &taken_up, |_| ()).performance.ratio()
 }
 
 /// Formats the candidates as a table with the chosen plan marked, and adds the reason for the choice.

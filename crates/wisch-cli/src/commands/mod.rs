@@ -42,6 +42,7 @@ mod shell;
 mod studio;
 mod summary;
 mod surface;
+mod swept;
 mod warnings;
 mod watch;
 mod wipe;

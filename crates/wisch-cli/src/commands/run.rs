@@ -154,6 +154,7 @@ fn work_on_goal(
             .with_help("choose another folder with --out, or replace files with --force"));
     }
     let is_executed = extent.is_run() && task.has_robot();
+    remove_earlier_steps(&out)?;
     // Also if no step is needed.
     std::fs::create_dir_all(&out).map_err(|error| Failure::new(error).within(&out))?;
     let run = GoalRun::begin(&task, is_executed, out.clone())?;
@@ -171,6 +172,22 @@ fn work_on_goal(
     OutputFile::begin(&out.join(STEPS_FILE))?.finish(&json)?;
     OutputFile::begin(&out.join(REPORT_FILE))?.finish(summary.page().as_bytes())?;
     Ok((summary, broken))
+}
+
+/// Removes the folders of steps that an earlier run has listed in a folder of results.
+fn remove_earlier_steps(out: &Path) -> Result<(), Failure> {
+    let Ok(text) = std::fs::read_to_string(out.join(STEPS_FILE)) else {
+        return Ok(());
+    };
+    let listed: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let count = listed["steps"].as_array().map_or(0, Vec::len);
+    for folder in (1..=count).map(|number| out.join(format!("step-{number}"))) {
+        if folder.join(PLAN_FILE).exists() {
+            let removed = std::fs::remove_dir_all(&folder);
+            removed.map_err(|error| Failure::new(error).within(&folder))?;
+        }
+    }
+    Ok(())
 }
 
 /// Works on all patches of a divided mesh, one after another; returns whether the goal is met on all.

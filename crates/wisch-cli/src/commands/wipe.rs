@@ -11,6 +11,7 @@ use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
+use super::swept::SweptSurface;
 use super::watch::show;
 use super::words::{counted, internal};
 use crate::args::{GlobalArgs, LoopArgs, ResultArgs, RobotArgs, TaskArgs, suggest};
@@ -22,6 +23,7 @@ use std::sync::atomic::Ordering;
 use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
+use wisch::represent::ParticleError;
 use wisch::run::{AfterStop, Ending, NoExecutor, OnWarning, RunConfig, RunEvent, Stage};
 use wisch_io::{KeptFiles, KilledRuns, Leftover, LoadedTask, OutputFolder, Replaceable};
 use wisch_io::{PlanRecord, Summary, read_text};
@@ -43,8 +45,16 @@ pub(super) struct SurfaceOutcome {
     pub summary: Summary,
     /// Whether the goal is met.
     pub is_met: bool,
+    /// Its strokes, and the dirt that it leaves.
+    pub swept: SweptSurface,
     /// Whether the run waits for its operator, or was interrupted.
     pub is_stopped: bool,
+}
+
+fn begin(global: &GlobalArgs) -> (Progress, RunClock) {
+    let progress = Progress::start(global);
+    progress.say("reading the task");
+    (progress, RunClock::start())
 }
 
 /// Works on one surface, and prints its summary for people. `summarised` receives the summary as soon as it is complete.
@@ -56,8 +66,7 @@ pub(super) fn wipe_surface(
     global: &GlobalArgs,
     summarised: &dyn Fn(&Summary) -> Result<(), Failure>,
 ) -> Result<SurfaceOutcome, Failure> {
-    let (progress, clock) = (Progress::start(global), RunClock::start());
-    progress.say("reading the task");
+    let (progress, clock) = begin(global);
     let kept = read_kept(extent, task_args, results)?;
     let task_args = &in_evaluations(&extent.restrict_senses(task_args), &kept)?;
     let mut prepared = prepare::read_with(task_args, &kept)?;
@@ -142,11 +151,31 @@ pub(super) fn wipe_surface(
     if let Some(note) = note_on_stop(&results_of, &prepared.run).filter(|_| !is_interrupted) {
         remark(&note);
     }
+    let is_executed = extent.is_run() && chosen.is_some();
     Ok(SurfaceOutcome {
         is_met: results_of.is_goal_met(prepared.run.target),
         summary,
+        swept: find_swept(&results_of, is_executed).map_err(internal)?,
         is_stopped: is_interrupted || is_stopped(&results_of),
     })
+}
+
+/// Returns the strokes of the executed rounds, or else those of the plan if none was to be executed, and the dirt after them.
+fn find_swept(results: &RunResults, is_executed: bool) -> Result<SweptSurface, ParticleError> {
+    let motions = results.rounds.iter().map(|done| &done.round.motion);
+    let executed = motions.map(|motion| (motion.task.clone(), motion.executable_plan()));
+    let plans = if is_executed {
+        executed.collect()
+    } else {
+        vec![(results.task.clone(), results.plan.clone())]
+    };
+    let left = match (results.rounds.last(), &results.predicted) {
+        (Some(last), _) => last.round.interpretation.belief.sample(results.task.seed)?,
+        (None, Some((predicted, _))) if !is_executed => predicted.particles.clone(),
+        (None, _) => results.task.particles.clone(),
+    };
+    let left = left.remaining().collect();
+    Ok(SweptSurface { plans, left })
 }
 
 /// States that nothing was wiped because the camera detects no dirt.

@@ -5,7 +5,7 @@ use super::tree::{Source, description, float, integer};
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-use wisch::goal::{CompoundGoal, MediumOnSurface};
+use wisch::goal::{CompoundGoal, GoalLiteral, MediumOnSurface};
 use wisch::source_location::{Place, UnknownName};
 
 /// Keys that a `[[medium]]` may have for its part of the goal, in place of those of the file.
@@ -62,17 +62,20 @@ pub(crate) struct Parts {
 
 type Value<'a> = Spanned<DeValue<'a>>;
 
-/// Reads the parts of a task file; `None` if its goal has fewer than two parts.
+/// Reads the parts of a task file; `None` if its goal is a single fact.
 pub(super) fn read(source: &Source<'_>) -> Result<Option<Parts>, TaskError> {
     let mut root = source.parse()?;
     source.apply(&mut root, |key| OF_ALL.contains(&key))?;
-    let Some((goal, at)) = stated_goal(&root, source)? else {
+    let Some(StatedGoal { goal, is_fact, at }) = stated_goal(&root, source)? else {
         return Ok(None);
     };
-    if goal.parts().count() < 2 {
+    if is_fact {
         return Ok(None);
     }
     let surfaces = elements(&root, "surface", source)?;
+    if surfaces.len() > 1 {
+        refuse_scene_on_surface(&root, source)?;
+    }
     let mut media = Vec::new();
     for medium in elements(&root, "medium", source)? {
         let on = MediumOnSurface {
@@ -126,6 +129,20 @@ pub(super) fn read(source: &Source<'_>) -> Result<Option<Parts>, TaskError> {
     }))
 }
 
+/// Refuses objects of the scene whose poses refer to a surface, which would be another place for each surface.
+fn refuse_scene_on_surface(root: &Value<'_>, source: &Source<'_>) -> Result<(), TaskError> {
+    for object in elements(root, "scene", source)? {
+        if let Some(frame) = get(object, "frame")
+            && frame.get_ref().as_str() == Some("surface")
+        {
+            let problem = "\"surface\" is a different place for each of the surfaces of this file; state the pose in the world";
+            let at = source.place(frame.span().start);
+            return Err(fault(at, "scene.frame", problem.to_owned()));
+        }
+    }
+    Ok(())
+}
+
 /// Returns the tree of a task with its settings. Of a file with several surfaces or media, it keeps those of the goal.
 pub(super) fn tree<'a>(source: &Source<'a>) -> Result<Value<'a>, TaskError> {
     let mut root = source.parse()?;
@@ -139,7 +156,7 @@ pub(super) fn tree<'a>(source: &Source<'a>) -> Result<Value<'a>, TaskError> {
 /// Reduces the tree of a file with several surfaces or media to the task of its goal, which must be a single fact about a
 /// medium on a surface.
 fn select(root: &mut Value<'_>, source: &Source<'_>) -> Result<(), TaskError> {
-    let Some((goal, at)) = stated_goal(root, source)? else {
+    let Some(StatedGoal { goal, is_fact, at }) = stated_goal(root, source)? else {
         return Ok(());
     };
     let parts: Vec<String> = goal.parts().map(|(_, fact)| fact.to_string()).collect();
@@ -151,10 +168,14 @@ fn select(root: &mut Value<'_>, source: &Source<'_>) -> Result<(), TaskError> {
         );
         return Err(fault(at, "goal", problem));
     }
-    let names: Vec<String> = goal
-        .parts()
-        .flat_map(|(_, fact)| fact.arguments().to_vec())
-        .collect();
+    let Some((_, fact)) = goal.parts().find(|(holds, _)| *holds) else {
+        let problem = format!("{goal} is no fact that is to hold, and here one is needed");
+        return Err(fault(at, "goal", problem));
+    };
+    if !is_fact && let Some(value) = get_mut(root, "goal") {
+        *value.get_mut() = DeValue::String(Cow::Owned(fact.to_string()));
+    }
+    let names = fact.arguments();
     let is_named = |value: &Value<'_>| {
         let name = get(value, "name").and_then(|name| name.get_ref().as_str());
         name.is_some_and(|name| names.iter().any(|other| other == name))
@@ -256,11 +277,16 @@ fn make_rack_available(root: &mut Value<'_>, source: &Source<'_>) -> Result<(), 
     Ok(())
 }
 
-/// Returns the goal of a file that has one, and its place.
-fn stated_goal(
-    root: &Value<'_>,
-    source: &Source<'_>,
-) -> Result<Option<(CompoundGoal, Place)>, TaskError> {
+/// The goal of a file.
+struct StatedGoal {
+    goal: CompoundGoal,
+    /// Whether it is a single fact, without `and` and `not`.
+    is_fact: bool,
+    at: Place,
+}
+
+/// Returns the goal of a file with several surfaces or media, or whose goal is not a single fact.
+fn stated_goal(root: &Value<'_>, source: &Source<'_>) -> Result<Option<StatedGoal>, TaskError> {
     let Some(value) = get(root, "goal") else {
         return Ok(None);
     };
@@ -272,7 +298,10 @@ fn stated_goal(
         .iter()
         .any(|key| get(root, key).is_some_and(|value| value.get_ref().as_array().is_some()));
     match CompoundGoal::parse(text) {
-        Ok(goal) => Ok((is_several || goal.parts().count() > 1).then_some((goal, at))),
+        Ok(goal) => {
+            let is_fact = GoalLiteral::parse(text).is_ok();
+            Ok((is_several || !is_fact).then_some(StatedGoal { goal, is_fact, at }))
+        }
         // A goal of a single part is checked when it is resolved.
         Err(_) if !is_several => Ok(None),
         Err(error) => Err(fault(at, "goal", error.to_string())),

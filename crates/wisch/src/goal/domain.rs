@@ -67,7 +67,7 @@ impl Domain {
     ///
     /// The language is typed STRIPS with negation: `:types`, `:constants`, `:predicates`, and `:action`s. Preconditions
     /// are atoms that hold or do `not` hold, effects are atoms that are added or (`not`) deleted, and both may stand in
-    /// `forall`. PDDL ignores case, so all names are converted to lower case.
+    /// `forall`. An effect may also stand in `when`, whose condition are atoms that no action changes. PDDL ignores case, so all names are converted to lower case.
     ///
     /// # Errors
     ///
@@ -121,7 +121,22 @@ impl Domain {
         }
         let names = domain.schemas.iter().map(|schema| schema.name.as_str());
         define_once(source, "action", names.zip(actions))?;
+        domain.check_conditions(source)?;
         Ok(domain)
+    }
+
+    /// Rejects a condition of `when` that an action changes, because the search evaluates it once.
+    fn check_conditions(&self, source: Source<'_>) -> Result<(), GoalError> {
+        let effects = || self.schemas.iter().flat_map(|schema| &schema.effects);
+        let changed = |name: &String| effects().any(|effect| effect.atom.words[0] == *name);
+        let mut conditions = effects().flat_map(|effect| &effect.conditions);
+        match conditions.find(|condition| changed(&condition.words[0])) {
+            Some(condition) => {
+                let what = "a condition of `when` that an action changes";
+                Err(source.not_supported(condition.at, what))
+            }
+            None => Ok(()),
+        }
     }
 
     fn read_types(&mut self, source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
@@ -200,8 +215,13 @@ impl Domain {
                 let own = literal.variables.iter().chain(&parameters);
                 own.chain(&self.constants).map(Typed::as_pair)
             };
-            let atom = &literal.atom;
-            self.check(source, atom.at, &atom.fact(), "constant", known)?;
+            for atom in literal.conditions.iter().chain([&literal.atom]) {
+                self.check(source, atom.at, &atom.fact(), "constant", known)?;
+            }
+        }
+        let conditional = preconditions.iter().find_map(|one| one.conditions.first());
+        if let Some(condition) = conditional {
+            return Err(source.not_supported(condition.at, "`when` in a precondition"));
         }
         Ok(Schema {
             name: name.to_owned(),

@@ -374,6 +374,8 @@ fn wiping_goals(domain: &Domain) -> Vec<String> {
     let mut goals: Vec<String> = (domain.schemas.iter())
         .filter(|schema| schema.name.parse::<Action>().is_ok())
         .flat_map(|schema| schema.added())
+        // What happens only under a condition is a side effect.
+        .filter(|effect| effect.conditions.is_empty())
         .filter(|add| is_of_surface(&add.atom.words[0]))
         .map(|add| add.atom.words[0].clone())
         .collect();

@@ -266,7 +266,7 @@ fn constructs_beyond_typed_strips_are_named() {
         (
             "(on-table ?x) (free ?y)",
             "(when (free ?x) (free ?y))",
-            "domain.pddl:13:18: `when`",
+            "domain.pddl:13:24: a condition of `when` that an action changes",
         ),
         (
             "(on-table ?x) (free ?y)",

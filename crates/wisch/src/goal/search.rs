@@ -256,30 +256,42 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Returns the facts of a literal: one, or one for each binding of the variables of `forall`.
+    /// Returns the facts of a literal: one, or one for each binding of the variables of `forall`, as far as the conditions of
+    /// `when` hold initially.
     pub(super) fn instances(
         &self,
         literal: &'a Literal,
         schema: &Schema,
         binding: &[&'a str],
     ) -> Vec<Fact<'a>> {
-        let mut facts = vec![ground(&literal.atom, schema, binding)];
+        // Each fact with its conditions, all of which have the same variables.
+        let atoms = std::iter::once(&literal.atom).chain(&literal.conditions);
+        let mut facts: Vec<Vec<Fact<'a>>> =
+            vec![atoms.map(|atom| ground(atom, schema, binding)).collect()];
         for variable in &literal.variables {
             let objects: Vec<&'a str> = (self.objects.iter())
                 .filter(|(_, type_name)| self.domain.is_a(type_name, &variable.type_name))
                 .map(|(object, _)| *object)
                 .collect();
-            let bound = facts.iter().flat_map(|fact| {
-                objects.iter().map(|&object| {
-                    let words = fact.iter();
-                    words
-                        .map(|&word| if word == variable.name { object } else { word })
-                        .collect()
-                })
+            let replace = |fact: &Fact<'a>, object: &'a str| -> Fact<'a> {
+                let words = fact.iter();
+                words
+                    .map(|&word| if word == variable.name { object } else { word })
+                    .collect()
+            };
+            let bound = facts.iter().flat_map(|atoms| {
+                let with = |&object| atoms.iter().map(|fact| replace(fact, object)).collect();
+                objects.iter().map(with)
             });
             facts = bound.collect();
         }
-        facts
+        facts.retain(|atoms| {
+            atoms[1..]
+                .iter()
+                .all(|condition| self.init.contains(condition))
+        });
+        let facts = facts.into_iter();
+        facts.map(|mut atoms| atoms.swap_remove(0)).collect()
     }
 
     /// Returns the actions whose positive preconditions hold.
@@ -357,6 +369,30 @@ impl<'a> Problem<'a> {
             }
         }
         Ok(unmet.into_iter().collect())
+    }
+
+    /// Returns what initially keeps actions that lead to the goal from being carried out: facts that may not hold.
+    pub(super) fn list_obstacles(&self) -> Vec<String> {
+        let mut obstacles = BTreeSet::new();
+        for (_, goal) in self.goal.iter().filter(|(holds, _)| *holds) {
+            let schemas = self.domain.schemas.iter();
+            let effects =
+                schemas.flat_map(|schema| schema.added().map(move |add| (schema, &add.atom)));
+            for (schema, binding) in
+                effects.filter_map(|(schema, add)| self.unify(schema, add, goal))
+            {
+                let excluded = schema.preconditions.iter().filter(|literal| !literal.holds);
+                let patterns =
+                    excluded.flat_map(|literal| self.instances(literal, schema, &binding));
+                for pattern in patterns {
+                    let found = self.init.iter().filter(|fact| is_instance(fact, &pattern));
+                    obstacles.extend(
+                        found.map(|fact| format!("{} needs (not {})", schema.name, text(fact))),
+                    );
+                }
+            }
+        }
+        obstacles.into_iter().collect()
     }
 
     /// Binds parameters so that an effect equals the goal; the remaining parameters stay unbound.

@@ -47,6 +47,9 @@ impl CompoundGoal {
             if !literal.variables.is_empty() {
                 return Err(source.not_supported(form.at, "`forall` in a goal"));
             }
+            if !literal.conditions.is_empty() {
+                return Err(source.not_supported(form.at, "`when` in a goal"));
+            }
             let atom = literal.atom;
             if let Some(variable) = atom.words.iter().find(|word| word.starts_with('?')) {
                 return Err(source.expected_at(atom.at, "names only", &format!("`{variable}`")));
@@ -207,8 +210,8 @@ impl<'a> Situation<'a> {
     /// - `tool_in_hand`, `tools`: the tool in the hand, and those that the robot can fetch.
     ///
     /// The facts: what the hand holds; `(on m s)` for every medium that lies on a surface; `(wet s)` while a liquid lies on s;
-    /// `(in-way d m s)` where d is loose dirt and m a liquid, or d is dirt and m the medium of a treatment; and
-    /// `(can-action tool medium surface)` as the knowledge base has them.
+    /// `(in-way d m s)` where d is loose dirt and m a liquid, or d is polish and m a coat; `(under d m s)` where d is dirt and m
+    /// the medium of a treatment, under which no heap may lie; and `(can-action tool medium surface)` as the knowledge base has them.
     ///
     /// # Errors
     ///
@@ -249,8 +252,16 @@ impl<'a> Situation<'a> {
                 situation.liquids.push(on.clone());
             }
             for other in media.iter().filter(|other| other.surface == *surface) {
-                if rank < self::rank(knowledge, goal, &other.medium, surface)? {
-                    situation.add(["in-way", medium, &other.medium, surface]);
+                let later = self::rank(knowledge, goal, &other.medium, surface)?;
+                // A heap would lie under what treats the whole surface.
+                let is_under = later >= TREATMENT && rank < TREATMENT;
+                let fact = if is_under && situation.has_predicate(UNDER) {
+                    UNDER
+                } else {
+                    IN_WAY
+                };
+                if rank < later {
+                    situation.add([fact, medium, &other.medium, surface]);
                 }
             }
             for action in Action::ALL {
@@ -293,9 +304,13 @@ impl<'a> Situation<'a> {
         }
     }
 
+    fn has_predicate(&self, name: &str) -> bool {
+        self.domain.predicates.iter().any(|p| p.name == name)
+    }
+
     /// Adds a fact, if the domain has its predicate.
     fn add<const N: usize>(&mut self, words: [&str; N]) {
-        if self.domain.predicates.iter().any(|p| p.name == words[0]) {
+        if self.has_predicate(words[0]) {
             self.facts.insert(owned(&words));
         }
     }
@@ -313,8 +328,22 @@ impl<'a> Situation<'a> {
             .contains(&with_declared_predicate(fact, self.domain).words)
     }
 
-    /// Applies the effects of a step that was carried out.
+    /// Applies the effects of a step that was carried out and reached its goal.
     pub fn apply(&mut self, step: &Step) {
+        self.apply_where(step, |_| true);
+    }
+
+    /// Applies the effects of a step that was carried out, but missed its goal: those on tools, such as that a sponge is
+    /// loaded, and those on what else lies on the surface.
+    pub fn apply_missed(&mut self, step: &Step) {
+        let medium = step.wiping.as_ref().map(|wiping| wiping.medium.clone());
+        self.apply_where(step, |fact| {
+            medium.as_ref().is_none_or(|name| !fact.contains(name))
+        });
+    }
+
+    /// Applies the effects of a step whose facts a condition accepts.
+    fn apply_where(&mut self, step: &Step, accepts: impl Fn(&[String]) -> bool) {
         let Some(schema) = self.schema(step.name()) else {
             return;
         };
@@ -324,10 +353,11 @@ impl<'a> Situation<'a> {
         for holds in [false, true] {
             let effects = schema.effects.iter().filter(|effect| effect.holds == holds);
             for fact in effects.flat_map(|effect| problem.instances(effect, schema, &objects)) {
-                if holds {
-                    facts.insert(owned(&fact));
-                } else {
-                    facts.remove(&owned(&fact));
+                let fact = owned(&fact);
+                match holds {
+                    _ if !accepts(&fact) => {}
+                    true => drop(facts.insert(fact)),
+                    false => drop(facts.remove(&fact)),
                 }
             }
         }
@@ -345,6 +375,24 @@ impl<'a> Situation<'a> {
         } = wiping;
         self.facts
             .remove(&owned(&[&format!("can-{action}"), tool, medium, surface]));
+    }
+
+    /// Notes that the strokes of a wiping action pass over what was collected of another medium on the same surface.
+    pub fn note_sweep(&mut self, wiping: &Wiping, collected: &str) {
+        let Wiping {
+            tool,
+            medium,
+            surface,
+            ..
+        } = wiping;
+        self.add(["sweeps", tool, medium, collected, surface]);
+    }
+
+    /// Notes that what was collected of a medium on a surface was wiped over.
+    pub fn note_spoiled(&mut self, collected: &str, surface: &str) {
+        self.facts
+            .remove(&owned(&["collected", collected, surface]));
+        self.add(["spoiled", collected, surface]);
     }
 
     fn schema(&self, name: &str) -> Option<&'a Schema> {
@@ -373,16 +421,22 @@ impl<'a> Situation<'a> {
             let of_medium = self.capable(on);
             let serving = of_medium.iter().filter(|wiping| self.serves(wiping, goal));
             let serving: Vec<Wiping> = serving.cloned().collect();
-            let is_in_way = || {
-                let way = ["in-way".to_owned(), on.medium.clone()];
-                self.facts
-                    .iter()
-                    .any(|fact| fact.starts_with(&way) && fact.last() == Some(&on.surface))
+            let is = |name: &str| {
+                let start = [name.to_owned(), on.medium.clone()];
+                let mut facts = self.facts.iter();
+                facts.any(|fact| fact.starts_with(&start) && fact.last() == Some(&on.surface))
             };
+            let is_removed = is(UNDER);
             if !serving.is_empty() {
-                all.extend(serving);
-            } else if is_in_way() {
-                all.extend(of_medium);
+                all.extend(serving.iter().cloned());
+            } else if is(IN_WAY) && !is_removed {
+                all.extend(of_medium.iter().cloned());
+            }
+            if is_removed {
+                let others = of_medium
+                    .into_iter()
+                    .filter(|wiping| !serving.contains(wiping));
+                all.extend(others.filter(|wiping| wiping.action != Action::Collect));
             }
         }
         all
@@ -445,15 +499,15 @@ impl<'a> Situation<'a> {
         }
     }
 
-    /// Plans the sequence of least expected time. Parts of the goal that no sequence reaches are left out, with reasons.
+    /// Plans the sequence of least expected time. Parts of the goal that no sequence reaches,
+    /// alone or together with the parts before them, are left out, with reasons.
     ///
     /// `place`: where the robot is; `times`: the expected times of the steps.
     ///
     /// # Errors
     ///
-    /// [`GoalError::Text`] for a predicate that is not in the domain or an object that is not in the situation,
-    /// [`GoalError::NoPlan`] if parts of the goal are reached alone but not together, and [`GoalError::TooLarge`] if the
-    /// search would take more than about a second.
+    /// [`GoalError::Text`] for a predicate that is not in the domain or an object that is not in the situation, and
+    /// [`GoalError::TooLarge`] if the search would take more than about a second.
     pub fn plan(
         &self,
         goal: &CompoundGoal,
@@ -475,9 +529,12 @@ impl<'a> Situation<'a> {
             let problem = self.problem(wanted.clone().collect());
             self.check(&part.1)?;
             if problem.cheapest_plan(&costs, 0)?.is_some() {
-                reached.extend(wanted);
+                reached.push((part, wanted.collect::<Vec<_>>()));
             } else {
-                let reasons = problem.unmet_preconditions()?;
+                let mut reasons = problem.unmet_preconditions()?;
+                if reasons.is_empty() {
+                    reasons = problem.list_obstacles();
+                }
                 let reason = if reasons.is_empty() {
                     "no wiping action that serves it can be carried out".to_owned()
                 } else {
@@ -486,13 +543,20 @@ impl<'a> Situation<'a> {
                 left_out.push((describe_part(part), reason));
             }
         }
-        let problem = self.problem(reached);
-        let Some(steps) = problem.cheapest_plan(&costs, 0)? else {
-            return Err(GoalError::NoPlan {
-                goal: goal.to_string(),
-                unmet: Vec::new(),
-            });
-        };
+        let mut steps = self.problem(join(&reached)).cheapest_plan(&costs, 0)?;
+        if steps.is_none() {
+            // As many parts as are reached together, in their order.
+            let mut together = Vec::new();
+            for one in reached {
+                together.push(one);
+                if let Some(found) = self.problem(join(&together)).cheapest_plan(&costs, 0)? {
+                    steps = Some(found);
+                } else if let Some((part, _)) = together.pop() {
+                    left_out.push((describe_part(part), self.explain_conflict(part)));
+                }
+            }
+        }
+        let steps = steps.unwrap_or_default();
         let mut place = 0;
         let steps = steps.iter().map(|words| {
             let (time, next) = costs.cost(words, place);
@@ -507,6 +571,18 @@ impl<'a> Situation<'a> {
             steps: steps.collect(),
             left_out,
         })
+    }
+
+    /// Explains why a part is not reached together with those before it.
+    fn explain_conflict(&self, (_, part): &(bool, GoalLiteral)) -> String {
+        let mut sweeps = self.facts.iter().filter(|fact| fact[0] == "sweeps");
+        let on_surface = |fact: &&Vec<String>| part.arguments().contains(&fact[fact.len() - 1]);
+        match sweeps.find(on_surface).map(Vec::as_slice) {
+            Some([_, _, medium, collected, surface]) => format!(
+                "wiping {medium} on {surface} would pass over the {collected} that is collected there"
+            ),
+            _ => "no sequence of steps reaches it together with the parts before it".to_owned(),
+        }
     }
 
     /// Rejects a part of a goal that does not fit the domain or names an object that is not in the situation.
@@ -538,6 +614,14 @@ fn bind<'p>(schema: &Schema, wiping: &'p Wiping) -> Option<Vec<&'p str>> {
             _ => None,
         });
     objects.collect()
+}
+
+/// A part of a goal with the facts that it states.
+type Reached<'a> = (&'a (bool, GoalLiteral), Vec<(bool, Fact<'a>)>);
+
+fn join<'a>(parts: &[Reached<'a>]) -> Vec<(bool, Fact<'a>)> {
+    let facts = parts.iter().flat_map(|(_, facts)| facts.clone());
+    facts.collect()
 }
 
 fn as_fact(words: &[String]) -> Fact<'_> {
@@ -600,10 +684,14 @@ impl StepCosts for Times<'_> {
 
 /// Predicate of a surface on which a liquid lies, which no action states.
 const WET: &str = "wet";
-/// Loose dirt goes first, then liquids, then treatments.
+/// Predicates of what has to be wiped before something else, and of what has to be off the surface.
+const IN_WAY: &str = "in-way";
+const UNDER: &str = "under";
+/// Loose dirt goes first, then liquids, then treatments, of which a coat goes last.
 const LOOSE: u8 = 0;
 const LIQUID: u8 = 1;
 const TREATMENT: u8 = 2;
+const COAT: u8 = 3;
 
 fn rank(
     knowledge: &KnowledgeBase,
@@ -611,13 +699,14 @@ fn rank(
     medium: &str,
     surface: &str,
 ) -> Result<u8, GoalError> {
-    let treats = goal.parts().any(|(holds, fact)| {
-        holds
-            && ["polished", "dispensed", "emitted"].contains(&fact.predicate())
-            && fact.arguments() == [medium, surface]
-    });
+    let is_to_be = |predicates: &[&str]| {
+        goal.parts().any(|(holds, fact)| {
+            holds && predicates.contains(&fact.predicate()) && fact.arguments() == [medium, surface]
+        })
+    };
     Ok(match knowledge.medium(medium)?.kind {
-        _ if treats => TREATMENT,
+        _ if is_to_be(&["dispensed", "emitted"]) => COAT,
+        _ if is_to_be(&["polished"]) => TREATMENT,
         MediumKind::Liquid => LIQUID,
         _ => LOOSE,
     })

@@ -68,6 +68,8 @@ pub(super) struct Literal {
     /// Whether the atom is not negated.
     pub(super) holds: bool,
     pub(super) atom: Atom,
+    /// Atoms of `when`, all of which have to hold initially; empty without it.
+    pub(super) conditions: Vec<Atom>,
 }
 
 /// Kind of the entries of a typed list.
@@ -166,12 +168,14 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
     Ok(Atom { at: form.at, words })
 }
 
-/// Reads an atom, `(not atom)`, `(forall (variables) ...)` of these, or an `(and ...)` of all of them; `()` is empty.
+/// Reads an atom, `(not atom)`, `(forall (variables) ...)` or `(when (condition) ...)` of these, or an `(and ...)` of all of
+/// them; `()` is empty.
 pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
     let single = |holds, atom| Literal {
         variables: Vec::new(),
         holds,
         atom,
+        conditions: Vec::new(),
     };
     match form.head() {
         None if form.list().is_some_and(<[Form]>::is_empty) => Ok(Vec::new()),
@@ -192,6 +196,28 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, 
             }
             Ok(literals)
         }
+        Some(("when", [condition, body])) => {
+            let conditions = literals(source, condition)?;
+            let is_plain =
+                |one: &Literal| one.holds && one.variables.is_empty() && one.conditions.is_empty();
+            if !conditions.iter().all(is_plain) {
+                let what = "a condition of `when` that is no atom";
+                return Err(source.not_supported(condition.at, what));
+            }
+            let conditions: Vec<Atom> = conditions.into_iter().map(|one| one.atom).collect();
+            let mut literals = literals(source, body)?;
+            if literals
+                .iter()
+                .any(|one| !one.variables.is_empty() || !one.conditions.is_empty())
+            {
+                return Err(source.not_supported(form.at, "`forall` or `when` in `when`"));
+            }
+            for literal in &mut literals {
+                literal.conditions.clone_from(&conditions);
+            }
+            Ok(literals)
+        }
+        Some(("when", _)) => Err(source.expected("`(when (condition) ...)`", form)),
         Some(("forall", _)) => Err(source.expected("`(forall (variables) ...)`", form)),
         Some(("not", [form])) if form.head().is_some_and(|(head, _)| head == "not") => {
             Err(source.not_supported(form.at, "`(not (not ...))`"))

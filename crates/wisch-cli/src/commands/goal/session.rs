@@ -1,7 +1,8 @@
 //! Executes the steps of a goal in the order of least expected time, and plans anew when a step fails.
 
-use super::super::prepare::stage_failure;
+use super::super::swept::SweptSurface;
 use super::super::wipe::SurfaceOutcome;
+use super::super::words::{internal, percent};
 use super::summary::{
     AssumedTimes, CHANGE, EMPTY, GoalPart, GoalSummary, SCHEMA, SPEED, TakenStep,
 };
@@ -13,7 +14,9 @@ use crate::terminal::remark;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use wisch::geometry::Point2;
 use wisch::goal::{GoalLiteral, Sequence, Situation, Step, StepPlace, StepTimes, Wiping};
+use wisch::represent::Action;
 use wisch_io::{PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, path_in_results};
 
 /// How often a wiping action is tried before another one is planned for.
@@ -33,6 +36,10 @@ pub struct GoalRun<'a> {
     last: BTreeMap<[String; 2], PathBuf>,
     /// Times of the motions of wiping actions that reached their goals, with all their tries [s].
     taken: BTreeMap<Wiping, f64>,
+    /// What was collected: action, number of the step, and places in the frame of the surface [m].
+    heaps: Vec<(Wiping, usize, Vec<Point2>)>,
+    /// Collected media that were wiped over, on their surfaces, with the reason.
+    spoiled: BTreeMap<[String; 2], String>,
     clock: f64,
     /// Computation time of the sequences.
     ordering: Duration,
@@ -61,10 +68,9 @@ impl StepTimes for TakenTimes<'_> {
 impl<'a> GoalRun<'a> {
     /// Begins before the first step. `is_executed`: whether steps are executed; otherwise each is assumed to succeed.
     pub fn begin(task: &'a GoalTask<'a>, is_executed: bool, out: PathBuf) -> Result<Self, Failure> {
-        let situation = task.file.situation();
         Ok(Self {
             task,
-            situation: situation.map_err(|error| stage_failure(task.args, error))?,
+            situation: task.situation()?,
             is_executed,
             out,
             steps: Vec::new(),
@@ -72,6 +78,8 @@ impl<'a> GoalRun<'a> {
             unmet: BTreeSet::new(),
             last: BTreeMap::new(),
             taken: BTreeMap::new(),
+            heaps: Vec::new(),
+            spoiled: BTreeMap::new(),
             clock: 0.0,
             ordering: Duration::ZERO,
         })
@@ -115,6 +123,8 @@ impl<'a> GoalRun<'a> {
             };
             let is_stopped = wiped.is_stopped;
             let is_reached = wiped.is_met || !self.is_executed;
+            let has_moved = !self.is_executed || wiped.summary.execution.is_some();
+            self.check_heaps(&wiping, number, &wiped.swept)?;
             if !wiped.is_met {
                 self.unmet.insert(wiping.clone());
             } else {
@@ -122,7 +132,7 @@ impl<'a> GoalRun<'a> {
             }
             // The way to the surface is not part of the motions.
             let way = step.time - self.task.wiping(&wiping).unwrap_or(step.time);
-            let took = time_of(&wiped.summary).map_or(step.time, |motions| way + motions);
+            let took = way + time_of(&wiped.summary, self.is_executed);
             *self.taken.entry(wiping.clone()).or_default() += took - way;
             let fact = self.situation.effect_of(&wiping);
             self.note(&step, took, Some(wiped), tries);
@@ -135,7 +145,10 @@ impl<'a> GoalRun<'a> {
                 self.situation.apply(&step);
                 sequence.steps.remove(0);
             } else {
-                self.note_failure(&wiping);
+                if has_moved {
+                    self.situation.apply_missed(&step);
+                }
+                self.note_failure(&wiping, has_moved);
             }
             if is_stopped {
                 remark(&format!(
@@ -151,18 +164,20 @@ impl<'a> GoalRun<'a> {
     }
 
     /// Counts a try whose goal was not met, and rules actions out that are not to be tried again.
-    fn note_failure(&mut self, wiping: &Wiping) {
+    fn note_failure(&mut self, wiping: &Wiping, has_moved: bool) {
         let tried = self.tries.entry(wiping.clone()).or_default();
         *tried += 1;
         let tried = *tried;
         // A new session knows where dirt is left only if it sees it.
-        let is_retried = self.task.observed.contains(wiping) && !wiping.action.treats();
+        let is_retried =
+            has_moved && self.task.observed.contains(wiping) && !wiping.action.treats();
         if is_retried && tried < TRIES {
             return;
         }
         let of_dirt = self.task.expected.keys().filter(|other| {
             *other == wiping
                 || (!is_retried
+                    && has_moved
                     && (&other.medium, &other.surface) == (&wiping.medium, &wiping.surface))
         });
         for other in of_dirt {
@@ -171,6 +186,8 @@ impl<'a> GoalRun<'a> {
         self.taken.remove(wiping);
         let why = if is_retried {
             "it is ruled out"
+        } else if !has_moved {
+            "it is ruled out, because another try would plan the same motion"
         } else {
             "it is ruled out, with all tools, because a new step would not know what is left to wipe"
         };
@@ -178,6 +195,40 @@ impl<'a> GoalRun<'a> {
         remark(&format!(
             "{wiping} has not reached its goal after {tried} {tries}: {why}; the other steps are planned anew"
         ));
+    }
+
+    /// Remembers what a step has collected, and finds out whether its strokes passed over what earlier steps have collected
+    /// there.
+    fn check_heaps(
+        &mut self,
+        wiping: &Wiping,
+        number: usize,
+        swept: &SweptSurface,
+    ) -> Result<(), Failure> {
+        for (collecting, step, heap) in &self.heaps {
+            let is_beside =
+                collecting.surface == wiping.surface && collecting.medium != wiping.medium;
+            if !is_beside || !self.task.is_spoiled(collecting, heap, swept)? {
+                continue;
+            }
+            let share = percent(swept.share_covered(heap).map_err(internal)?);
+            let on = [&collecting.medium, &collecting.surface];
+            let why = format!(
+                "step {number}, {wiping}, passes over {share} of the {} that step {step} has collected",
+                on[0]
+            );
+            remark(&why);
+            self.situation.note_spoiled(on[0], on[1]);
+            self.spoiled.insert(on.map(String::clone), why);
+        }
+        if wiping.action == Action::Collect {
+            self.heaps.retain(|(other, _, _)| {
+                (&other.medium, &other.surface) != (&wiping.medium, &wiping.surface)
+            });
+            self.heaps
+                .push((wiping.clone(), number, swept.left.clone()));
+        }
+        Ok(())
     }
 
     /// Plans the steps from here on.
@@ -226,7 +277,9 @@ impl<'a> GoalRun<'a> {
             expected_s: step.time,
             began_s: self.clock,
             took_s: took,
-            goal_met: wiped.as_ref().map(|wiped| wiped.is_met),
+            goal_met: (wiped.as_ref())
+                .filter(|wiped| wiped.summary.prediction.is_some())
+                .map(|wiped| wiped.is_met),
             earlier_tries,
             summary: wiped.map(|wiped| wiped.summary),
         });
@@ -245,6 +298,11 @@ impl<'a> GoalRun<'a> {
                 } else {
                     format!("(not {fact})")
                 };
+                let spoiled = self
+                    .spoiled
+                    .iter()
+                    .find(|(on, _)| fact.arguments() == &on[..]);
+                let spoiled = spoiled.map(|(_, why)| why.clone());
                 let reason = left_out.iter().find(|(left, _)| *left == part);
                 let reason = reason.map(|(_, reason)| self.explain(fact, reason));
                 // Without an execution, a step is assumed to succeed; its prediction may say otherwise.
@@ -256,7 +314,7 @@ impl<'a> GoalRun<'a> {
                     unmet.map(|wiping| format!("{wiping}: its goal is not predicted to be met"));
                 GoalPart {
                     holds: self.situation.holds(fact) == holds && unmet.is_none(),
-                    left_out: reason.or(unmet),
+                    left_out: spoiled.or(reason).or(unmet),
                     part,
                 }
             })
@@ -268,6 +326,8 @@ impl<'a> GoalRun<'a> {
             goal: file.goal.to_string(),
             goal_met: parts.iter().all(|part| part.holds),
             is_executed: self.is_executed,
+            is_predicted: (self.steps.iter().filter_map(|step| step.summary.as_ref()))
+                .all(|summary| summary.prediction.is_some()),
             expected_s,
             took_s: self.clock,
             ordering_s: self.ordering.as_secs_f64(),

@@ -70,6 +70,8 @@ pub struct GoalSummary {
     pub goal_met: bool,
     /// Whether the steps were executed; otherwise each step is assumed to reach its goal.
     pub is_executed: bool,
+    /// Whether the effect of the wiping steps is at least predicted; otherwise each is assumed to reach its goal.
+    pub is_predicted: bool,
     /// Expected time of the sequence that was planned before the first step [s].
     pub expected_s: f64,
     /// Time of all steps [s].
@@ -107,12 +109,14 @@ impl TakenStep {
     }
 }
 
-/// Time of the motions of a wiping step [s].
-pub fn time_of(summary: &Summary) -> Option<f64> {
+/// Time of the motions of a wiping step, as executed, else as planned [s]; without a robot at the assumed speed.
+pub fn time_of(summary: &Summary, is_executed: bool) -> f64 {
     match (&summary.execution, &summary.following) {
-        (Some(execution), _) => Some(execution.total(|round| round.execution_time_s)),
-        (None, Some(following)) => Some(following.execution_time_s),
-        (None, None) => None,
+        (Some(execution), _) => execution.total(|round| round.execution_time_s),
+        // Nothing was wiped, or the motion was refused.
+        (None, _) if is_executed => 0.0,
+        (None, Some(following)) => following.execution_time_s,
+        (None, None) => summary.distance_total_m / SPEED,
     }
 }
 
@@ -143,6 +147,16 @@ pub fn describe_sequence(sequence: &Sequence) -> String {
     text
 }
 
+/// The performance of a wiping step, and whether its goal is met, if that is known.
+fn describe_result(summary: &Summary, is_met: Option<bool>) -> String {
+    let performance = performance_of(summary);
+    match is_met {
+        Some(true) => format!("{performance}: met"),
+        Some(false) => format!("{performance}: not met"),
+        None => performance,
+    }
+}
+
 impl GoalSummary {
     /// Whether every part of the goal holds, as far as is known.
     pub const fn is_met(&self) -> bool {
@@ -155,12 +169,12 @@ impl GoalSummary {
         let mut add = |name: &str, value: String| text += &format!("  {name:<18} {value}\n");
         let holding = self.parts.iter().filter(|part| part.holds).count();
         let parts = counted(self.parts.len(), "part");
-        let how = if self.is_executed {
-            "as estimated"
-        } else {
-            "as predicted, not executed"
+        let goal = match (self.is_executed, self.is_predicted) {
+            (true, _) => format!("{holding} of {parts} hold, as estimated"),
+            (false, true) => format!("{holding} of {parts} hold, as predicted, not executed"),
+            (false, false) => format!("steps are planned for {holding} of {parts}, not predicted"),
         };
-        add("goal", format!("{holding} of {parts} hold, {how}"));
+        add("goal", goal);
         for part in self.parts.iter().filter(|part| !part.holds) {
             let why = part.left_out.as_deref().unwrap_or("not reached");
             add("open", format!("{}: {why}", part.part));
@@ -174,14 +188,8 @@ impl GoalSummary {
             } = step;
             let times = format!("{took_s:.1} s ({expected_s:.1} s expected)");
             let result = match (&step.summary, step.goal_met) {
-                (Some(summary), Some(is_met)) => {
-                    format!(
-                        ", {}: {}",
-                        performance_of(summary),
-                        if is_met { "met" } else { "not met" }
-                    )
-                }
-                _ => String::new(),
+                (Some(summary), is_met) => format!(", {}", describe_result(summary, is_met)),
+                (None, _) => String::new(),
             };
             add(
                 &format!("step {number}"),
@@ -211,8 +219,7 @@ impl GoalSummary {
                 took: step.took_s,
                 expected: step.expected_s,
                 result: match (&step.summary, step.goal_met) {
-                    (Some(summary), Some(true)) => format!("{}: met", performance_of(summary)),
-                    (Some(summary), _) => format!("{}: not met", performance_of(summary)),
+                    (Some(summary), is_met) => describe_result(summary, is_met),
                     (None, _) => String::new(),
                 },
                 report: (step.summary.as_ref())

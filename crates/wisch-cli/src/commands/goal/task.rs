@@ -2,6 +2,7 @@
 
 use super::super::follow::{Chosen, read_robot, workcell_config};
 use super::super::prepare::{load, stage_failure};
+use super::super::swept::SweptSurface;
 use super::super::words::{internal, percent};
 use super::summary::{CHANGE, EMPTY, ExpectedAction, SPEED};
 use crate::args::{RobotArgs, TaskArgs};
@@ -9,7 +10,9 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
+use wisch::geometry::Point2;
 use wisch::goal::{Sequence, Situation, StepPlace, StepTimes, Wiping};
+use wisch::represent::Action;
 use wisch::run::{NoExecutor, RunConfig, Stage};
 use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot};
 
@@ -40,8 +43,12 @@ pub struct GoalTask<'a> {
     /// Origins of the surfaces in the world [m].
     surfaces: BTreeMap<String, [f64; 3]>,
     has_robot: bool,
+    /// Target performances of the actions.
+    targets: BTreeMap<Wiping, f64>,
     /// Actions whose dirt a camera observes.
     pub(super) observed: BTreeSet<Wiping>,
+    /// The strokes that are expected of the possible actions, and the dirt that they leave.
+    swept: BTreeMap<Wiping, SweptSurface>,
 }
 
 /// Reads the task, if its goal has several parts.
@@ -73,7 +80,9 @@ impl<'a> GoalTask<'a> {
             expected: BTreeMap::new(),
             surfaces: BTreeMap::new(),
             has_robot: false,
+            targets: BTreeMap::new(),
             observed: BTreeSet::new(),
+            swept: BTreeMap::new(),
         };
         let mut known: Option<Robot> = None;
         let wipings = situation.possible_wipings(&file.goal);
@@ -103,9 +112,43 @@ impl<'a> GoalTask<'a> {
             if loaded.file.camera.is_some() {
                 task.observed.insert(wiping.clone());
             }
-            task.expected.insert(wiping.clone(), expect(&loaded, robot));
+            task.targets.insert(wiping.clone(), loaded.run.target);
+            let (expected, swept) = expect(&loaded, robot);
+            task.expected.insert(wiping.clone(), expected);
+            task.swept
+                .extend(swept.map(|swept| (wiping.clone(), swept)));
         }
         Ok(task)
+    }
+
+    /// Returns the state before the first step, with the wiping actions whose strokes are expected to pass over what another
+    /// action collects.
+    pub fn situation(&self) -> Result<Situation<'a>, Failure> {
+        let situation = self.file.situation();
+        let mut situation = situation.map_err(|error| stage_failure(self.args, error))?;
+        for (collecting, heap) in &self.swept {
+            for (other, swept) in &self.swept {
+                let is_beside = collecting.action == Action::Collect
+                    && other.surface == collecting.surface
+                    && other.medium != collecting.medium;
+                if is_beside && self.is_spoiled(collecting, &heap.left, swept)? {
+                    situation.note_sweep(other, &collecting.medium);
+                }
+            }
+        }
+        Ok(situation)
+    }
+
+    /// Whether strokes pass over more of what an action has collected than its target leaves.
+    pub(super) fn is_spoiled(
+        &self,
+        collecting: &Wiping,
+        heap: &[Point2],
+        swept: &SweptSurface,
+    ) -> Result<bool, Failure> {
+        let share = swept.share_covered(heap).map_err(internal)?;
+        let target = self.targets.get(collecting).copied();
+        Ok(share > 1.0 - target.unwrap_or(1.0))
     }
 
     /// Whether a robot follows the strokes.
@@ -215,7 +258,21 @@ impl StepTimes for GoalTask<'_> {
 }
 
 /// Plans a task, with the robot if there is one, and predicts it.
-fn expect(loaded: &LoadedTask, robot: Option<(&Chosen<'_>, &Robot)>) -> Expected {
+fn expect(
+    loaded: &LoadedTask,
+    robot: Option<(&Chosen<'_>, &Robot)>,
+) -> (Expected, Option<SweptSurface>) {
+    match expect_strokes(loaded, robot) {
+        Ok((expected, swept)) => (expected, Some(swept)),
+        Err(why) => (Expected::Impossible(why), None),
+    }
+}
+
+/// The same; the error is the reason why the task is impossible.
+fn expect_strokes(
+    loaded: &LoadedTask,
+    robot: Option<(&Chosen<'_>, &Robot)>,
+) -> Result<(Expected, SweptSurface), String> {
     let config = RunConfig {
         workcell: robot.map_or_else(Default::default, |(chosen, _)| {
             workcell_config(chosen, loaded)
@@ -232,31 +289,45 @@ fn expect(loaded: &LoadedTask, robot: Option<(&Chosen<'_>, &Robot)>) -> Expected
     };
     let mut ignore = |_: &wisch::run::RunEvent<'_>| ControlFlow::Continue(());
     if let Err(error) = session.run_until(until, &mut NoExecutor, &mut ignore) {
-        return Expected::Impossible(error.to_string());
+        return Err(error.to_string());
     }
-    let (round_s, performance) = match (session.first_motion(), session.plan()) {
+    let (round_s, prediction, plan) = match (session.first_motion(), session.plan()) {
         (Some((_, audit)), _) if !audit.is_sound() => {
             let fault = audit.faults.first().map(ToString::to_string);
-            return Expected::Impossible(format!("unsafe motion: {}", fault.unwrap_or_default()));
+            return Err(format!("unsafe motion: {}", fault.unwrap_or_default()));
         }
-        (Some((motion, _)), _) => (motion.followed.duration(), motion.prediction.performance),
+        (Some((motion, _)), _) => {
+            let prediction = motion.prediction.clone();
+            (
+                motion.followed.duration(),
+                prediction,
+                motion.executable_plan(),
+            )
+        }
         (None, Some(plan)) => {
             let predicted = wisch::plan::predict(&loaded.task, plan, |_| {});
-            (plan.total_distance() / SPEED, predicted.performance)
+            (plan.total_distance() / SPEED, predicted, plan.clone())
         }
-        (None, None) => return Expected::Impossible("there is no plan".to_owned()),
+        (None, None) => return Err("there is no plan".to_owned()),
     };
+    let performance = prediction.performance;
     let (predicted, target) = (performance.ratio(), loaded.run.target);
     let lost = performance.lost as f64 / performance.initial.max(1) as f64;
     if lost > 1.0 - target {
         let lost = percent(lost);
-        return Expected::Impossible(format!(
+        if loaded.task.action.treats() {
+            return Err(format!(
+                "a plan would give {lost} of the points more than they may get, and the target is {}",
+                percent(target)
+            ));
+        }
+        return Err(format!(
             "a plan would lose {lost} of the dirt over an edge, and the target is {}",
             percent(target)
         ));
     }
     if predicted < LEAST_PREDICTED {
-        return Expected::Impossible(format!(
+        return Err(format!(
             "a plan is predicted to reach {} only, and the target is {}",
             percent(predicted),
             percent(target)
@@ -268,9 +339,14 @@ fn expect(loaded: &LoadedTask, robot: Option<(&Chosen<'_>, &Robot)>) -> Expected
     } else {
         ((1.0 - target).max(1e-3).ln() / (1.0 - predicted).ln()).max(1.0)
     };
-    Expected::Reaches {
+    let expected = Expected::Reaches {
         round_s,
         rounds,
         predicted,
-    }
+    };
+    let swept = SweptSurface {
+        plans: vec![(loaded.task.clone(), plan)],
+        left: prediction.particles.remaining().collect(),
+    };
+    Ok((expected, swept))
 }

@@ -1,0 +1,39 @@
+//! What the strokes of a command pass over.
+
+use wisch::geometry::Point2;
+use wisch::plan::{Plan, predict};
+use wisch::represent::{GoalState, ParticleDistribution, ParticleError, Task};
+
+/// The strokes of a command on a surface, and the dirt that lies there afterwards.
+#[derive(Debug, Clone, Default)]
+pub(super) struct SweptSurface {
+    /// The plans of all rounds, each with its task.
+    pub plans: Vec<(Task, Plan)>,
+    /// Dirt that lies on the surface after the last round, in the frame of the surface, estimated or else predicted [m].
+    pub left: Vec<Point2>,
+}
+
+impl SweptSurface {
+    /// Returns the share of points on the surface over which the tool passes [1].
+    pub fn share_covered(&self, points: &[Point2]) -> Result<f64, ParticleError> {
+        let mut open = ParticleDistribution::new(points)?;
+        for (task, plan) in &self.plans {
+            let mut task = task.clone();
+            task.particles = open;
+            open = take_up(&task, plan).particles;
+        }
+        let left = open.remaining().count();
+        Ok(1.0 - left as f64 / points.len().max(1) as f64)
+    }
+}
+
+/// Returns the share of the particles that the tool passes over if they do not move [1].
+pub(super) fn cover(plan: &Plan, task: &Task) -> f64 {
+    take_up(task, plan).performance.ratio()
+}
+
+fn take_up(task: &Task, plan: &Plan) -> wisch::plan::Prediction {
+    let mut taken_up = plan.clone();
+    taken_up.graph.goal = GoalState::Absorbed;
+    predict(task, &taken_up, |_| ())
+}
