@@ -397,6 +397,7 @@ impl Interpreter {
         };
         let mut doubts = evidence.doubts();
         doubts.extend(corrections);
+        doubts.extend(reading.moved_mass().map(|mass| Doubt::Inertia { mass }));
         // In a wrong unit of length, a tool that moves jumps.
         if !matches!(doubts[..], [Doubt::FarAway { .. }]) {
             doubts.extend(self.find_jumps());
@@ -410,11 +411,8 @@ impl Interpreter {
             };
             doubts.insert(place, doubt);
         }
-        let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
-            evidence.is_low()
-        } else {
-            Vec::new()
-        };
+        let may_be_misread = classified.plane.is_none() && config.gap_m == 0.0;
+        let is_low = may_be_misread.then(|| evidence.is_low());
         leave_out_false_pushes(&mut events, &doubts, pieces, &reading);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
@@ -438,7 +436,7 @@ impl Interpreter {
             doubts,
             stiffness,
             found_stiffness,
-            is_low,
+            is_low: is_low.unwrap_or_default(),
         }
     }
 

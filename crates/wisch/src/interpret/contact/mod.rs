@@ -8,6 +8,7 @@ mod curvature;
 mod downsampling;
 mod force_reading;
 mod held_poses;
+mod inertia;
 mod levels;
 mod motions;
 mod path;
