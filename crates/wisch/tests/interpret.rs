@@ -10,6 +10,8 @@ mod events_found;
 mod implausible;
 #[path = "interpret/inertia.rs"]
 mod inertia;
+#[path = "interpret/lean.rs"]
+mod lean;
 #[path = "interpret/log.rs"]
 pub mod log;
 #[path = "interpret/parts.rs"]
