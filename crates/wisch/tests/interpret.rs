@@ -8,6 +8,10 @@ mod effects;
 mod events_found;
 #[path = "interpret/implausible.rs"]
 mod implausible;
+#[path = "interpret/inertia.rs"]
+mod inertia;
+#[path = "interpret/lean.rs"]
+mod lean;
 #[path = "interpret/log.rs"]
 pub mod log;
 #[path = "interpret/parts.rs"]

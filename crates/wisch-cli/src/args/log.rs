@@ -85,8 +85,8 @@ pub struct LogArgs {
     /// Factor on the measured force after its bias is subtracted
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = positive)]
     pub force_scale: Option<f64>,
-    /// Mass of the payload behind the force sensor [kg]; its weight, along the world's -z, is subtracted from the force
-    /// at each pose
+    /// Mass of the payload behind the force sensor [kg]; its weight, along the world's -z, and its inertia are subtracted
+    /// from the force at each pose
     #[arg(long, value_name = "KG", allow_negative_numbers = true, value_parser = not_negative)]
     pub payload_mass: Option<f64>,
     /// Centre of mass of the payload in the logged frame [m]; it affects only torques, which wisch does not read

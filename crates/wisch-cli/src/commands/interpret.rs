@@ -373,6 +373,7 @@ fn interpret_samples(
     let config = InterpretConfig {
         // Bags that wisch has written state the round. They hold the samples of an executor.
         has_one_clock: log.round.is_some(),
+        moved_mass_kg: args.reading.payload_mass.unwrap_or(0.0),
         ..InterpretConfig::from_task(task)
     };
     let interpreted = || {

@@ -48,6 +48,9 @@ pub struct InterpretConfig {
     /// Whether each sample holds pose and force of the same instant, as those of an executor do.
     /// Otherwise the force may be early or late, and is aligned.
     pub has_one_clock: bool,
+    /// Mass of tool and holder behind the force sensor, whose inertia the forces include \[kg\]; 0 if it is unknown. A mass
+    /// that the forces in free motion show takes precedence.
+    pub moved_mass_kg: f64,
     /// Thresholds of the events.
     pub events: EventConfig,
     /// Maximum number of pieces that a log is reduced to; beyond it, neighbouring pieces are merged.
@@ -236,6 +239,7 @@ impl InterpretConfig {
             free_height_m: 0.015,
             search_height_m: 0.05,
             has_one_clock: false,
+            moved_mass_kg: 0.0,
             events: EventConfig::default(),
             max_pieces: 1 << 20,
             seed: task.seed,
@@ -277,6 +281,11 @@ impl InterpretConfig {
             ("free_height_m", self.free_height_m, metres),
             ("level_force_n", self.level_force(), any_force),
             ("search_height_m", self.search_height_m, metres),
+            (
+                "moved_mass_kg",
+                self.moved_mass_kg,
+                (0.0, 1e6, "0 to 1e6 kg"),
+            ),
             ("plane.inlier_distance_m", plane.inlier_distance_m, near),
             ("plane.cone", plane.cone, cone),
             ("plane.confidence", plane.confidence, share),

@@ -218,6 +218,11 @@ pub enum Doubt {
         /// Size of the change \[N\].
         change: f64,
     },
+    /// The forces include the inertia of the mass behind the sensor, which was subtracted.
+    Inertia {
+        /// The mass \[kg\].
+        mass: f64,
+    },
     /// The force shows that the clocks of force and position differ, but not by how much.
     ClocksUncertain {
         /// Two delays of the force that match landings and lifts of the tool equally well \[s\].
@@ -399,6 +404,7 @@ impl Doubt {
             | Self::WrenchFrameRotated { .. }
             | Self::ClockOffset { .. }
             | Self::TaredEarly { .. }
+            | Self::Inertia { .. }
             | Self::LoadInAir { .. }
             | Self::Incomplete { .. }
             | Self::UnprovenCamera

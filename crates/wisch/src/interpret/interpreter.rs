@@ -5,7 +5,8 @@ use super::config::{InterpretConfig, OtherForce};
 use super::contact::{
     ClassifiedPath, ContactClassifier, ContactLevels, Downsampler, FittedPlane, ForceReading,
     MeasuredPiece, MeasuredStiffness, PlaneFit, StiffnessBelief, ToolOnBend, ToolStiffness,
-    TouchSample, find_early_tare, find_stiffness, interpolate_held_poses, median, middle,
+    TouchSample, find_early_tare, find_stiffness, interpolate_held_poses, level_leaning_tool,
+    median, middle,
 };
 use super::doubt::Doubt;
 use super::error::InterpretError;
@@ -304,14 +305,38 @@ impl Interpreter {
         cause: OtherForce,
     ) -> LeveledLog {
         let mut pieces = reading.apply(measured, &self.config);
-        let config = self.config.with_reference_force(reference, cause);
+        let config = &self.config.with_reference_force(reference, cause);
         let compression = config.nominal_compression();
-        let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, &config);
+        let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, config);
         if let Some(tool) = tool {
-            tool.level(&mut pieces, &config);
+            tool.level(&mut pieces, config);
         }
-        let found_stiffness = find_stiffness(&pieces, &self.surface, &config);
-        let config = config.with_stiffness(found_stiffness.map(|found| found.n_per_m));
+        let as_logged = self.classify(pieces, config, reference);
+        let is_flat = self.surface.shape.is_plane() && self.own_tilt == 0.0;
+        let plane = (as_logged.classified.plane.as_ref()).filter(|_| is_flat);
+        let leveled = plane.and_then(|(fit, _)| {
+            level_leaning_tool(&as_logged.pieces, &fit.normal(), &self.footprint, config)
+        });
+        let Some(pieces) = leveled else {
+            return as_logged;
+        };
+        LeveledLog {
+            counts_lean: true,
+            ..self.classify(pieces, config, reference)
+        }
+    }
+
+    /// Classifies pieces whose forces are read.
+    fn classify(
+        &self,
+        pieces: Vec<MeasuredPiece>,
+        config: &InterpretConfig,
+        reference: f64,
+    ) -> LeveledLog {
+        let found_stiffness = find_stiffness(&pieces, &self.surface, config);
+        let config = config
+            .clone()
+            .with_stiffness(found_stiffness.map(|found| found.n_per_m));
         let levels = ContactLevels::of(&pieces, &self.surface, middle(&self.surface), &config);
         let classified = self
             .classifier(&config, reference, levels)
@@ -322,6 +347,7 @@ impl Interpreter {
             found_stiffness,
             levels,
             classified,
+            counts_lean: false,
             offsets: None,
         }
     }
@@ -353,6 +379,7 @@ impl Interpreter {
             found_stiffness,
             levels,
             classified,
+            counts_lean,
             offsets,
         } = self.level(measured, &reading, reference);
         let pieces = &pieces;
@@ -397,6 +424,7 @@ impl Interpreter {
         };
         let mut doubts = evidence.doubts();
         doubts.extend(corrections);
+        doubts.extend(reading.moved_mass().map(|mass| Doubt::Inertia { mass }));
         // In a wrong unit of length, a tool that moves jumps.
         if !matches!(doubts[..], [Doubt::FarAway { .. }]) {
             doubts.extend(self.find_jumps());
@@ -410,11 +438,8 @@ impl Interpreter {
             };
             doubts.insert(place, doubt);
         }
-        let is_low = if classified.plane.is_none() && config.gap_m == 0.0 {
-            evidence.is_low()
-        } else {
-            Vec::new()
-        };
+        let may_be_misread = classified.plane.is_none() && config.gap_m == 0.0;
+        let is_low = may_be_misread.then(|| evidence.is_low());
         leave_out_false_pushes(&mut events, &doubts, pieces, &reading);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
@@ -432,13 +457,14 @@ impl Interpreter {
             force_ratio: reference / self.config.nominal_force(),
             config,
             classified,
+            counts_lean,
             believed_from_real,
             events,
             contact_share: contact_share.filter(|share| *share > 0.0 || has_plane),
             doubts,
             stiffness,
             found_stiffness,
-            is_low,
+            is_low: is_low.unwrap_or_default(),
         }
     }
 
@@ -586,6 +612,8 @@ struct LogAnalysis {
     /// The settings with the log's own nominal force.
     config: InterpretConfig,
     classified: ClassifiedPath,
+    /// Whether the heights are those of a tool that lies flat, although it leans.
+    counts_lean: bool,
     believed_from_real: Pose,
     events: Vec<Event>,
     contact_share: Option<f64>,
@@ -623,6 +651,7 @@ impl LogAnalysis {
             &self.config,
         )
         .or_low(&self.is_low)
+        .with_leveled_heights(self.counts_lean)
     }
 }
 
@@ -633,6 +662,8 @@ struct LeveledLog {
     found_stiffness: Option<ToolStiffness>,
     levels: Option<ContactLevels>,
     classified: ClassifiedPath,
+    /// Whether the heights are those of a tool that lies flat, although it leans.
+    counts_lean: bool,
     /// Distances of the surface from where it is believed to be, if the tool pressed with the force of the log, and if this
     /// force has a wrong scale \[m\]; `None` for the declared force.
     offsets: Option<[f64; 2]>,

@@ -113,8 +113,8 @@ impl LogEvidence<'_> {
             return doubts;
         }
         doubts.extend(self.find_sparseness());
-        // The force of a hand is no bias.
-        if led.is_none() {
+        // The force of a hand is no bias, nor is that of contact at another height.
+        if led.is_none() && heights.is_none() {
             doubts.extend(self.find_bias_change());
         }
         if let Some(tilt) = self.steep.filter(|_| led.is_none() && heights.is_none()) {

@@ -1,9 +1,11 @@
 //! Collisions, losses of contact, stick-slip: their times, and no event where nothing happens.
 
-use super::log::{Hand, PRESS, STEEP, Script, task};
+use super::log::{DEPTH, Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
-use wisch::interpret::{Diagnosis, Doubt, Event, EventKind, InterpretConfig, Touch, Uncertainty};
+use wisch::interpret::{
+    Diagnosis, Doubt, Event, EventKind, InterpretConfig, Touch, TouchSample, Uncertainty,
+};
 use wisch::represent::Fate;
 
 /// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
@@ -53,6 +55,29 @@ fn steady_friction_is_no_push() {
         });
         assert_eq!(pushed.len(), 1, "at {friction}: {pushed:?}");
     }
+}
+
+#[test]
+fn friction_that_vanishes_with_the_normal_force_is_no_push() {
+    // The tool sticks and slips, and presses with 0 to 12 N.
+    let hopping = Script {
+        press: |place| 6.0 + 6.0 * (60.0 * place.x).sin(),
+        friction: 1.4,
+        stick_slip: 8.0,
+        ..Script::default()
+    };
+    assert_eq!(events(&interpreted(&hopping), EventKind::Push), []);
+    let [start, _] = hopping.contacts()[1];
+    let pulled = Script {
+        hands: vec![Hand {
+            start: start + 1.2,
+            end: start + 2.0,
+            off: Vector3::zeros(),
+            force: Vector3::new(0.0, 16.0, 6.0),
+        }],
+        ..hopping
+    };
+    assert_eq!(events(&interpreted(&pulled), EventKind::Push).len(), 1);
 }
 
 #[test]
@@ -397,6 +422,55 @@ fn a_tool_that_comes_down_hard_has_not_been_pushed() {
 }
 
 /// The surface bears the force that compresses the sponge to this depth, with or without a person.
+/// Normal force of a tool of another stiffness than declared, which is compressed by `depth` [m] at nominal force.
+fn with_depth(script: &Script, depth: f64) -> Vec<TouchSample> {
+    let task = task(80, STEEP);
+    let surface = task.surface.world_from_surface;
+    let real = (script.surface)(Point2::origin());
+    let soften = |sample: TouchSample| {
+        let height = (surface.inverse() * sample.world_from_tool).translation.z - real;
+        let mut force = surface.rotation.inverse() * sample.force;
+        let [declared, own] =
+            [DEPTH, depth].map(|depth| PRESS * (1.0 - height / depth).clamp(0.0, 1.0));
+        force.z += own - declared;
+        TouchSample {
+            force: surface.rotation * force,
+            ..sample
+        }
+    };
+    script.samples(&task).into_iter().map(soften).collect()
+}
+
+#[test]
+fn a_softer_tool_touches_earlier_and_nobody_pushes() {
+    let task = task(80, STEEP);
+    let surfaces: [fn(Point2) -> f64; 2] = [|_| 0.0, |_| 0.006];
+    for depth in [2.0 * DEPTH, 3.4 * DEPTH, 6.0 * DEPTH] {
+        for surface in surfaces {
+            let script = Script {
+                surface,
+                force_noise: 0.1,
+                ..Script::default()
+            };
+            let config = InterpretConfig::from_task(&task);
+            let found = interpreted_with(&with_depth(&script, depth), &task, &config);
+            assert_eq!(events(&found, EventKind::Push), [], "{depth}");
+            // A hand that holds the tool on its way down is found.
+            let [start, _] = script.contacts()[1];
+            let hand = Hand {
+                start: start - 0.9,
+                end: start - 0.5,
+                off: Vector3::zeros(),
+                force: Vector3::z() * 8.0,
+            };
+            let hands = vec![hand];
+            let held = Script { hands, ..script };
+            let found = interpreted_with(&with_depth(&held, depth), &task, &config);
+            assert_eq!(events(&found, EventKind::Push).len(), 1, "{depth}");
+        }
+    }
+}
+
 #[test]
 fn pressing_too_hard_is_an_overload_and_no_push() {
     let [start, _] = Script::default().contacts()[1];

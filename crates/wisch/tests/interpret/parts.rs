@@ -110,6 +110,37 @@ fn two_boards_of_different_heights_are_named_and_nobody_pushes() {
     }
 }
 
+/// Through two or three strokes there is always a smooth surface, but the force on an inclined one has a part across the strokes.
+#[test]
+fn one_of_few_strokes_on_another_board_is_no_push() {
+    for count in [2, 3] {
+        let strokes = Script::default().strokes;
+        let script = Script {
+            strokes: strokes[..count].to_vec(),
+            rate: 200.0,
+            force_noise: 0.1,
+            ..Script::default()
+        };
+        for row in 0..count {
+            for step in [0.01, 0.03, 0.05, -0.04] {
+                let y = script.strokes[row][0].y;
+                let by = |place: Point2| step * risen(0.04 - (place.y - y).abs());
+                let found = read(&raised(&script, by));
+                let what = format!("stroke {row} of {count}, {step} m: {:?}", found.doubts);
+                assert_eq!(by_hand(&found), 0, "{what}");
+                assert!(!found.is_conclusive(), "{what}");
+                let Some(Doubt::SeveralHeights { levels, .. }) = found.doubts.first() else {
+                    panic!("{what}");
+                };
+                let apart = levels[1].height - levels[0].height;
+                assert!((apart - step.abs()).abs() < 6e-4, "{what}");
+                let is_bias = |doubt: &Doubt| matches!(doubt, Doubt::BiasChange { .. });
+                assert!(!found.doubts.iter().any(is_bias), "{what}");
+            }
+        }
+    }
+}
+
 /// A person who lifts the tool for a part of a stroke makes no second board, and a level board has one height.
 #[test]
 fn one_board_has_one_height() {

@@ -228,6 +228,33 @@ fn forces_with_another_clock_are_aligned() {
 }
 
 #[test]
+fn a_force_that_a_sensor_reports_late_is_no_push() {
+    let task = task(80, STEEP);
+    let config = InterpretConfig {
+        has_one_clock: true,
+        ..InterpretConfig::from_task(&task)
+    };
+    for late in [10, 20, 30, 40] {
+        let samples = samples_with_late_forces(&Script::default(), &task, late);
+        let found = interpreted_with(&samples, &task, &config);
+        assert_eq!(events(&found, EventKind::Push), [], "{late}");
+        // Somebody who holds the lifted tool pushes.
+        let held: Vec<TouchSample> = (samples.iter())
+            .map(|sample| {
+                let is_held = (0.5..1.1).contains(&sample.time);
+                let push = Vector3::new(0.0, 8.0, 0.0) * f64::from(u8::from(is_held));
+                TouchSample {
+                    force: sample.force + push,
+                    ..*sample
+                }
+            })
+            .collect();
+        let found = interpreted_with(&held, &task, &config);
+        assert_eq!(events(&found, EventKind::Push).len(), 1, "{late}");
+    }
+}
+
+#[test]
 fn a_lost_contact_is_no_clock_offset() {
     let task = task(80, STEEP);
     let config = InterpretConfig::from_task(&task);

@@ -35,6 +35,8 @@ pub(in crate::interpret) struct ContactEvidence<'a> {
     bounds: Option<Bounds2>,
     real_from_believed: Pose,
     config: &'a InterpretConfig,
+    /// Whether heights are those of a tool that lies flat, although it leans.
+    is_leveled: bool,
     /// Whether a person pushed the tool during each piece.
     is_pushed: Vec<bool>,
     /// Pieces of each stretch that holds a push and its consequences.
@@ -84,7 +86,15 @@ impl<'a> ContactEvidence<'a> {
             low: Vec::new(),
             real_from_believed,
             config,
+            is_leveled: false,
         }
+    }
+
+    /// States whether heights are those of a tool that lies flat, although it leans.
+    #[must_use]
+    pub(in crate::interpret) const fn with_leveled_heights(mut self, is_leveled: bool) -> Self {
+        self.is_leveled = is_leveled;
+        self
     }
 
     /// Adds the alternative that the tool touched at the pieces that `is_low` marks; it is empty for a log with
@@ -211,6 +221,11 @@ impl<'a> ContactEvidence<'a> {
             };
         }
         let middle = 1.0 - height / compression;
+        if self.is_leveled && middle > 0.0 {
+            return NormalizedForce::Mean(middle.min(1.0));
+        } else if self.is_leveled {
+            return NormalizedForce::NoContact;
+        }
         let half = self.bounds.map(|bounds| bounds.size() / 2.0);
         let most = half.map_or(0.0, |half| piece.slope.abs().dot(&half) / compression);
         if middle + most > 0.0 {

@@ -237,7 +237,7 @@ impl ContactClassifier<'_> {
 /// Slope of the plane against the tool's underside, in the tool frame [1]; `normal` is in the believed surface frame.
 /// A frame whose z axis points into the surface is turned about its x axis, which keeps the heading. Zero where tool and
 /// surface are nearly perpendicular, which does not occur in contact.
-fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
+pub(super) fn slope(piece: &MeasuredPiece, normal: &Vector3) -> Vector2 {
     let mut normal_in_tool = piece.surface_from_tool.inverse() * normal;
     if normal_in_tool.z < 0.0 {
         normal_in_tool = Vector3::new(normal_in_tool.x, -normal_in_tool.y, -normal_in_tool.z);

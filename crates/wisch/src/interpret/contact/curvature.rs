@@ -93,6 +93,8 @@ pub(super) struct PressedPlace {
     pub(super) height: f64,
     /// Height of the tool centre point as measured [m].
     pub(super) measured: f64,
+    /// Force on the tool [N].
+    pub(super) force: Vector3,
     /// Number of the contact in the log.
     pub(super) index: usize,
 }
@@ -155,6 +157,7 @@ pub(super) fn pressed_places(
                 place,
                 height: piece.mean_height + spring_back,
                 measured: piece.mean_height,
+                force: piece.force,
                 index: contacts.len(),
             });
         }
@@ -201,7 +204,7 @@ impl Quadric {
         Self::fit_terms(contacts, 3)
     }
 
-    fn fit_plane(contacts: &[PressedPlace]) -> Option<Self> {
+    pub(super) fn fit_plane(contacts: &[PressedPlace]) -> Option<Self> {
         Self::fit_terms(contacts, 0)
     }
 
@@ -258,7 +261,7 @@ impl Quadric {
     }
 
     /// Unit normal over a place.
-    fn normal(&self, place: Point2) -> Vector3 {
+    pub(super) fn normal(&self, place: Point2) -> Vector3 {
         let slope = self.slope + self.curvature * (place - self.middle);
         Vector3::new(-slope.x, -slope.y, 1.0).normalize()
     }

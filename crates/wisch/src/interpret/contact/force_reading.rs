@@ -9,6 +9,7 @@
 use super::bias_change::{BiasChange, find_bias_change};
 use super::clock::{ClockOffset, clock_offset};
 use super::downsampling::MeasuredPiece;
+use super::inertia::Inertia;
 use super::plane::{PlaneFit, fit_plane};
 use super::sensor::{SensorAxes, bias_and_noise, shift_forces};
 use super::weighted::{median, mode, spread};
@@ -116,11 +117,43 @@ pub(in crate::interpret) struct ForceReading {
     pub(in crate::interpret) lowest: Option<PlaneFit>,
     /// Height over the believed surface of the plane on which the tool pressed, if contact is not searched there [m].
     pub(in crate::interpret) distant_height: Option<f64>,
+    /// Inertia of the mass behind the sensor, if the forces include it.
+    inertia: Option<Inertia>,
+    /// Whether the tool is above the surface, by piece.
+    is_clear: Vec<bool>,
 }
 
 impl ForceReading {
-    /// Reads the forces of the pieces over the believed surface.
+    /// Reads the forces of the pieces over the believed surface. Forces that inertia explains are read once more without it.
     pub(in crate::interpret) fn of(
+        pieces: &[MeasuredPiece],
+        surface: &Surface,
+        config: &InterpretConfig,
+    ) -> Self {
+        let reading = Self::of_contact_forces(pieces, surface, config);
+        let read = reading.apply(pieces, config);
+        let Some(inertia) = Inertia::of(&read, &reading.is_clear, surface, config) else {
+            return reading;
+        };
+        let again = if reading.clock_offset == 0.0 {
+            let contact_forces: Vec<MeasuredPiece> = (pieces.iter().zip(&inertia.forces))
+                .map(|(piece, force)| MeasuredPiece {
+                    force: piece.force + reading.as_measured(piece, *force),
+                    ..*piece
+                })
+                .collect();
+            Self::of_contact_forces(&contact_forces, surface, config)
+        } else {
+            reading
+        };
+        Self {
+            inertia: Some(inertia),
+            ..again
+        }
+    }
+
+    /// Reads the forces of a log as those of contact and bias alone.
+    fn of_contact_forces(
         pieces: &[MeasuredPiece],
         surface: &Surface,
         config: &InterpretConfig,
@@ -210,6 +243,8 @@ impl ForceReading {
             bias_change: find_bias_change(pieces, &high, &is_clear, axes),
             lowest: None,
             distant_height: None,
+            inertia: None,
+            is_clear,
         }
     }
 
@@ -246,6 +281,8 @@ impl ForceReading {
             bias_change: find_bias_change(&pieces, &contact.free, &contact.is_clear, contact.axes),
             lowest: None,
             distant_height: None,
+            inertia: None,
+            is_clear: contact.is_clear.clone(),
         };
         let least = LEAST_FORCE[0] * contact.step.norm();
         let pressing = |some: &[usize]| -> Vec<f64> {
@@ -285,6 +322,21 @@ impl ForceReading {
         }
     }
 
+    /// Returns a corrected force as the sensor would have measured it without bias, in the axes of the believed surface [N].
+    fn as_measured(&self, piece: &MeasuredPiece, corrected: Vector3) -> Vector3 {
+        if self.direction == PressDirection::Inward {
+            return -corrected;
+        }
+        let back = self.turn.inverse();
+        match self.axes {
+            SensorAxes::Surface => back * corrected,
+            SensorAxes::Tool => {
+                let in_tool = self.axes.of(piece, corrected);
+                self.axes.to_surface(piece, back * in_tool)
+            }
+        }
+    }
+
     /// Returns the pieces with corrected forces.
     pub(in crate::interpret) fn apply(
         &self,
@@ -294,9 +346,11 @@ impl ForceReading {
         let bias = self.bias.norm();
         let is_small = bias <= config.force_noise_n;
         let pieces = shift_forces(&smooth_forces(pieces, config), self.clock_offset);
-        let read = pieces.iter().map(|piece| {
-            let force = self.correct_force(piece, piece.force);
-            let peak_force = if is_small {
+        let read = pieces.iter().enumerate().map(|(i, piece)| {
+            let inertial = self.inertia.as_ref().map(|inertia| inertia.forces[i]);
+            let force =
+                self.correct_force(piece, piece.force) + inertial.unwrap_or_else(Vector3::zeros);
+            let peak_force = if is_small && inertial.is_none() {
                 piece.peak_force
             } else {
                 force.norm()
@@ -321,6 +375,11 @@ impl ForceReading {
         (pieces.first()).map_or_else(Vector3::zeros, |first| {
             self.axes.to_surface(first, self.bias)
         })
+    }
+
+    /// Mass behind the sensor whose inertia is subtracted [kg].
+    pub(in crate::interpret) fn moved_mass(&self) -> Option<f64> {
+        self.inertia.as_ref().map(|inertia| inertia.mass)
     }
 
     /// Nominal force of this log [N]: the declared one unless the tool pressed with another.

@@ -2,7 +2,8 @@
 //!
 //! For a slope of the planes, each plane is a cluster of the heights less that slope. Slopes are drawn through three contacts
 //! (RANSAC; Fischler and Bolles, 1981), and the slope with the most contacts in few clusters counts. A smooth surface gives
-//! no clusters: its contacts lie between them, too, or a quadric explains them as well.
+//! no clusters: its contacts lie between them, too, or a quadric explains them as well. Through three strokes there is always a
+//! quadric; the force across the strokes then shows whether the surface is inclined there.
 
 use super::curvature::{PressedPlace, Quadric, pressed_places};
 use super::downsampling::MeasuredPiece;
@@ -31,6 +32,11 @@ const FEWEST: usize = 10;
 const MOST_BESIDE: f64 = 0.25;
 /// Largest cost of the planes over that of a quadric [1].
 const LEAST_BETTER: f64 = 0.6;
+/// Least slope of a quadric across the motion at which its force shows [1], least share of such contacts [1], and the largest force
+/// across the motion over that of the slope at which the surface is level there [1].
+const SHOWN_SLOPE: f64 = 0.06;
+const LEAST_SLOPING: f64 = 0.1;
+const MOST_INCLINED: f64 = 0.4;
 /// Least step of the measured heights over that of the heights at nominal force [1]: a change of
 /// force with a wrong stiffness makes no step of the measured heights.
 const LEAST_MEASURED: f64 = 0.5;
@@ -107,7 +113,13 @@ impl ContactLevels {
         let quadric = Quadric::fit(&contacts)?;
         let by_quadric = search.cost(|one| one.height - quadric.height_at(one.place));
         let by_levels = search.cost(|one| search.off(&found, one));
-        if by_levels > LEAST_BETTER * by_quadric || !search.is_apart(&found) {
+        let plane = Quadric::fit_plane(&contacts)?;
+        let by_plane = search.cost(|one| one.height - plane.height_at(one.place));
+        // Two heights always lie on an inclined plane, three hardly ever unless they are one plane.
+        let is_plane = found.heights.len() > 2 && by_levels > LEAST_BETTER * by_plane;
+        let is_better =
+            by_levels <= LEAST_BETTER * by_quadric || !is_plane && search.is_level(&quadric);
+        if !is_better || !search.is_apart(&found) {
             return None;
         }
         let rise = found.slope.dot(&middle.coords);
@@ -263,6 +275,27 @@ impl<'a> LevelSearch<'a> {
         costs.sum::<f64>() / self.contacts.len() as f64
     }
 
+    /// Whether the forces contradict the slopes of a quadric: friction acts along the motion, so a force across it is that of an
+    /// inclined surface.
+    fn is_level(&self, quadric: &Quadric) -> bool {
+        let pairs = self.contacts.windows(2);
+        let sloping = pairs.filter_map(|pair| {
+            let [one, next] = pair else { return None };
+            let way = next.place - one.place;
+            if !is_next(one, next) {
+                return None;
+            }
+            let across = Vector2::new(-way.y, way.x).normalize();
+            let normal = quadric.normal(one.place);
+            let slope = normal.xy().dot(&across) / normal.z;
+            let force = one.force.xy().dot(&across) / one.force.z;
+            (slope.abs() >= SHOWN_SLOPE).then(|| (force / slope, 1.0))
+        });
+        let sloping: Vec<(f64, f64)> = sloping.collect();
+        sloping.len() as f64 >= LEAST_SLOPING * self.contacts.len() as f64
+            && median(sloping) <= MOST_INCLINED
+    }
+
     /// Whether each plane holds contacts of its own: hardly any lie just beside it, its measured heights differ, and the tool
     /// slides on it more often than a hand lifts it.
     fn is_apart(&self, levels: &Levels) -> bool {
@@ -292,10 +325,7 @@ impl<'a> LevelSearch<'a> {
     /// planes is that of a tool which a person lifts or pushes down, unless it is long.
     fn is_slid(&self, levels: &Levels, at: usize) -> bool {
         let on: Vec<&PressedPlace> = self.on(levels, at).collect();
-        let is_near = |one: &PressedPlace, next: &PressedPlace| {
-            (next.place - one.place).norm() <= APART && next.index - one.index <= 2
-        };
-        let slides = on.chunk_by(|one, next| is_near(one, next));
+        let slides = on.chunk_by(|one, next| is_next(one, next));
         let slides: Vec<&[&PressedPlace]> = slides
             .filter(|slide| {
                 let mut ways = slide.iter().map(|one| (one.place - slide[0].place).norm());
@@ -312,14 +342,19 @@ impl<'a> LevelSearch<'a> {
         let is_between = self
             .contacts
             .windows(2)
-            .any(|two| two[1].index == first.index && is_near(&two[0], &two[1]))
+            .any(|two| two[1].index == first.index && is_next(&two[0], &two[1]))
             && self
                 .contacts
                 .windows(2)
-                .any(|two| two[0].index == last.index && is_near(&two[0], &two[1]));
+                .any(|two| two[0].index == last.index && is_next(&two[0], &two[1]));
         let is_long = steps.sum::<f64>() >= LEAST_LONG;
         slide.len() as f64 >= LEAST_ONLY * self.contacts.len() as f64 && (is_long || !is_between)
     }
+}
+
+/// Whether two contacts belong to one slide.
+fn is_next(one: &PressedPlace, next: &PressedPlace) -> bool {
+    (next.place - one.place).norm() <= APART && next.index - one.index <= 2
 }
 
 fn point(contact: &PressedPlace) -> Point3 {

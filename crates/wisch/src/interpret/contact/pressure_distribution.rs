@@ -161,7 +161,7 @@ fn clip(bounds: &Bounds2, [from, to]: [Point2; 2]) -> Option<[Point2; 2]> {
 }
 
 /// Returns f′ in the middle of a rectangle, given its clipped mean; f′ changes by `half` from the middle to each side.
-fn middle(mean: f64, half: Vector2) -> f64 {
+pub(super) fn middle(mean: f64, half: Vector2) -> f64 {
     if mean >= half.sum() {
         return mean;
     }

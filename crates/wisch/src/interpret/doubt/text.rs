@@ -66,6 +66,7 @@ impl fmt::Display for Doubt {
             Self::Sparse { period } => write_sparse(f, period),
             Self::HeldPoses { period } => write_held(f, period),
             Self::TaredEarly { time, change } => write_tared(f, time, change),
+            Self::Inertia { mass } => write_inertia(f, mass),
             Self::ClocksUncertain { offsets } => write_uncertain_clocks(f, offsets),
             Self::BiasChange {
                 change,
@@ -162,6 +163,14 @@ fn write_tared(f: &mut fmt::Formatter<'_>, time: f64, change: f64) -> fmt::Resul
     write!(
         f,
         "the force changes by {change:.1} N at {time:.2} s, before the first contact, as if the sensor was tared: samples before it are left out"
+    )
+}
+
+/// Writes [`Doubt::Inertia`].
+fn write_inertia(f: &mut fmt::Formatter<'_>, mass: f64) -> fmt::Result {
+    write!(
+        f,
+        "the forces include the inertia of {mass:.2} kg behind the sensor: this mass times the acceleration of the pose is subtracted"
     )
 }
 

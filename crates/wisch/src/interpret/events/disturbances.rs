@@ -38,7 +38,12 @@ impl EventDetector<'_> {
         for candidate in &mut candidates {
             candidate.first = self.onset(candidate);
         }
-        candidates.retain(|candidate| !self.is_filter_tail(candidate));
+        candidates.retain(|candidate| {
+            !self.is_filter_tail(candidate)
+                && !self.is_soft_contact(candidate)
+                && !self.is_late_contact(candidate)
+                && !self.is_high_friction(candidate)
+        });
         let mut pushes: Vec<Candidate> = Vec::new();
         let mut others: Vec<(EventKind, Candidate)> = Vec::new();
         for candidate in candidates {
@@ -253,7 +258,7 @@ impl EventDetector<'_> {
         self.disturbance_level(i) != Level::Below
     }
 
-    fn disturbance_level(&self, i: usize) -> Level {
+    pub(super) fn disturbance_level(&self, i: usize) -> Level {
         self.off_plane_level(i)
             .max(self.tangential_level(i))
             .max(self.overload_level(i))
@@ -281,7 +286,7 @@ impl EventDetector<'_> {
     }
 
     /// Level of a tangential force beyond friction.
-    fn tangential_level(&self, i: usize) -> Level {
+    pub(super) fn tangential_level(&self, i: usize) -> Level {
         let events = &self.config.events;
         let piece = &self.path[i];
         let press = (-piece.normal_force).max(0.0);

@@ -1,5 +1,6 @@
 //! Events of a log: contacts, contact losses, disturbances, stick-slip and phases.
 
+mod contact_forces;
 mod contacts;
 mod detector;
 mod disturbances;
