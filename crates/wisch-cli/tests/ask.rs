@@ -70,7 +70,7 @@ fn build_engine() {
 }
 
 /// Exit code, standard output and standard error of the program with its engine.
-fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
+pub fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
     build_engine();
     run(Command::new(program())
         .current_dir(folder)

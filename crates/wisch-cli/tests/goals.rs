@@ -1,5 +1,6 @@
 //! Goals of several parts: steps in the order of their expected time, and what remains if one fails.
 
+use crate::ask::ask;
 use crate::program::{root, wisch};
 use serde_json::Value;
 use std::fs;
@@ -94,6 +95,94 @@ fn a_board_is_wiped_step_by_step() {
     }
     let page = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(page.contains("href=\"step-1/report.html\""));
+}
+
+/// Answers of a query.
+fn answers(folder: &Path, query: &str) -> Vec<Value> {
+    let (code, out, err) = ask(folder, &[query, "--json"]);
+    assert_eq!(code, 0, "{query}: {out}{err}");
+    let found: Value = serde_json::from_str(&out).unwrap();
+    found["answers"].as_array().unwrap().clone()
+}
+
+#[test]
+fn the_steps_of_a_run_are_one_episode_that_queries_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    write_board(folder);
+    let text = fs::read_to_string(folder.join("board.toml")).unwrap();
+    let text = text.replace("in_hand = \"sponge\"", "rack = [{ name = \"sponge\" }]");
+    fs::write(folder.join("board.toml"), text).unwrap();
+    let (_, summary, err) = summary_of(folder, &["run", "board.toml", "--json"]);
+    let taken = steps(&summary);
+    assert_eq!(taken[0], "(grasp sponge)", "{err}");
+    let wiped = taken.iter().filter(|step| step.contains("chopping_board"));
+    let wiped = wiped.count();
+
+    let (code, out, err) = wisch(folder, &["memory", "list", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    let listed: Vec<Value> = (out.lines())
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(listed.len(), 1 + wiped, "{out}");
+    let goal = &listed[0];
+    assert_eq!(
+        (
+            &goal["task"],
+            &goal["steps"],
+            &goal["rounds"],
+            &goal["succeeded"]
+        ),
+        (
+            &"board".into(),
+            &taken.len().into(),
+            &0.into(),
+            &summary["goal_met"]
+        )
+    );
+    let duration = goal["duration_s"].as_f64().unwrap();
+    assert!((duration - summary["took_s"].as_f64().unwrap()).abs() < 1e-5);
+    let (_, table, _) = wisch(folder, &["memory", "list"]);
+    assert!(table.contains(&format!("{} steps", taken.len())), "{table}");
+
+    let found = answers(
+        folder,
+        "goal_step(G, N, S, E, T), triple(S, semco:words, W)",
+    );
+    let words: Vec<&str> = found.iter().map(|row| row["W"].as_str().unwrap()).collect();
+    let expected = summary["steps"].as_array().unwrap().iter();
+    let expected: Vec<&str> = expected
+        .map(|step| step["words"].as_str().unwrap())
+        .collect();
+    assert_eq!(words, expected);
+    let why =
+        "has_type(S, 'FetchingStep'), triple(S, semco:usesTool, semco:sponge), step_serves(S, P)";
+    let parts: Vec<Value> = answers(folder, why)
+        .iter()
+        .map(|row| row["P"].clone())
+        .collect();
+    let all = summary["parts"].as_array().unwrap().iter();
+    let all: Vec<Value> = all.map(|part| part["part"].clone()).collect();
+    assert_eq!(parts, all);
+    let query = "goal_step(_, 2, S, _, _), step_episode(S, E), final_performance(E, P)";
+    assert_eq!(answers(folder, query).len(), 1);
+    assert_eq!(answers(folder, "costliest_step(_, S, T)").len(), 1);
+
+    // An episode without rounds is no reason to fail.
+    let id = goal["id"].as_str().unwrap();
+    for args in [
+        &["memory", "verify"][..],
+        &["memory", "show", id],
+        &["memory", "health"],
+        &["memory", "export", "--neem", "neem"],
+        &["memory", "forget", id],
+        &["memory", "verify"],
+    ] {
+        let (code, out, err) = wisch(folder, args);
+        assert_eq!(code, 0, "{args:?}: {out}{err}");
+    }
+    let (_, out, _) = wisch(folder, &["memory", "list"]);
+    assert!(!out.contains(" steps"), "{out}");
 }
 
 #[test]

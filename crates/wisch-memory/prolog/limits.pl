@@ -247,6 +247,12 @@ has_time(tilted_surface(Round, _), event(Round)).
 has_time(episode_with_tool(Episode, _), event(Episode)).
 has_time(episode_on_surface(Episode, _), event(Episode)).
 has_time(warning(_, _, T, _), at(T)).
+has_time(goal_step(_, _, Step, _, _), event(Step)).
+has_time(costliest_step(_, Step, _), event(Step)).
+has_time(step_serves(Step, _), event(Step)).
+has_time(step_episode(Step, _), event(Step)).
+has_time(goal_part(Goal, _, _), event(Goal)).
+has_time(open_part(Goal, _, _), event(Goal)).
 has_time(localization_change(_, T, _, _), at(T)).
 has_time(episode_of(Thing, _), event(Thing)).
 has_time(sure_failure(Action, _), event(Action)).

@@ -199,6 +199,49 @@ warning(Episode, Channel, Time, P) :-
     value_of(Warning, 'semco:pValue', P),
     episode_of(Warning, Episode).
 
+% Goals of several parts ------------------------------------------------------------------------------------
+
+% goal_step(-Goal, -Number, -Step, -Expected, -Taken): steps of a goal, with expected and taken time [s].
+goal_step(Goal, Number, Step, Expected, Taken) :-
+    of_class(Goal, 'semco:GoalAction'),
+    part(Goal, Step),
+    value_of(Step, 'semco:step', N),
+    Number is truncate(N),
+    value_of(Step, 'semco:expectedTime', Expected),
+    value_of(Step, 'semco:takenTime', Taken).
+
+costliest_step(Goal, Step, Taken) :-
+    of_class(Goal, 'semco:GoalAction'),
+    aggregate_all(max(T, S), goal_step(Goal, _, S, _, T), max(Taken, Step)).
+
+% step_serves(-Step, -Part): parts of the goal, in PDDL, for which a step was taken.
+step_serves(Step, Part) :-
+    of_class(Step, 'semco:GoalStep'),
+    relation(Step, 'semco:servesPart', P),
+    value(P, 'semco:goal', Part).
+
+% step_episode(-Step, -Episode): the episode of a wiping step, if the memory has it.
+step_episode(Step, Episode) :-
+    of_class(Step, 'semco:WipingStep'),
+    value(Step, 'semco:stepEpisode', Id),
+    atom_concat('semco:WipingEpisode_', Id, Head),
+    atom_concat(Head, '-0', Name),
+    catch(known(thing, Name, Found), unknown(_, _, _), fail),
+    thing(Episode, Found).
+
+% goal_part(-Goal, -Part, -State): parts of a goal, in PDDL, each with the state holds, open or unknown.
+goal_part(Goal, Part, State) :-
+    of_class(Goal, 'semco:GoalAction'),
+    relation(Goal, 'semco:hasGoalPart', P),
+    value(P, 'semco:goal', Part),
+    value(P, 'semco:partState', State).
+
+open_part(Goal, Part, Why) :-
+    of_class(Goal, 'semco:GoalAction'),
+    relation(Goal, 'semco:hasGoalPart', P),
+    value(P, 'semco:openReason', Why),
+    value(P, 'semco:goal', Part).
+
 % Over many episodes ---------------------------------------------------------------------------------------
 
 % drift(-Runs, -Channel, -PerRun, -P, -Left): drifts of the health report, in all episodes.
@@ -304,7 +347,7 @@ last_episode(Episode, Time) :-
 
 episode_of(Thing, Episode) :-
     known(thing, Thing, Name),
-    above(Name, Episode, 'semco:WipingEpisode').
+    above(Name, Episode, 'soma:Episode').
 
 sure_failure(Action, High) :-
     of_class(Action, 'semco:WipingAction'),

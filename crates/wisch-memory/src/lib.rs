@@ -32,7 +32,10 @@ pub use known_round::{
 pub use observations::{OBSERVATIONS_SCHEMA, ObservationFault, RoundObservations};
 pub use ontology::Ontology;
 pub use record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, RecordFault, Value};
-pub use remember::{EpisodeHeader, EpisodeRound, RoundLog, remember, remember_log};
+pub use remember::{
+    EpisodeHeader, EpisodeRound, GoalOutcome, RememberedGoal, RememberedPart, RememberedStep,
+    RoundLog, StepKind, remember, remember_goal, remember_log,
+};
 pub use robot::RobotText;
 pub use store::{Episode, EpisodeWriter, Fault, Memory, MemoryError, RECORDING_FILE, live_path};
 pub use telemetry::{Mark, Series, Telemetry, TelemetryError, TelemetryHead, TelemetryWriter};

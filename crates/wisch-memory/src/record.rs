@@ -6,6 +6,9 @@ use std::collections::BTreeMap;
 /// Version of the schema of [`EpisodeRecord`].
 pub const EPISODE_SCHEMA: u32 = 1;
 
+/// Class of the episode of a run for a goal of several parts.
+pub(crate) const GOAL_EPISODE: &str = "semco:GoalEpisode";
+
 /// Property of a round without telemetry: the reason.
 pub(crate) const TELEMETRY_LOST: &str = "semco:telemetryLost";
 
@@ -141,6 +144,11 @@ impl EpisodeRecord {
     /// If no individual has this index.
     pub fn name(&self, place: usize) -> String {
         individual_name(&self.individuals[place].class, &self.id, place)
+    }
+
+    /// Whether it is the record of a run for a goal of several parts, whose wiping steps have episodes of their own.
+    pub fn is_of_goal(&self) -> bool {
+        (self.individuals.first()).is_some_and(|episode| episode.class == GOAL_EPISODE)
     }
 
     /// Returns why a round, counted from 1, has no telemetry; `None` if the record states no reason.

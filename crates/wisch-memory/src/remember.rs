@@ -1,8 +1,12 @@
 //! Records of episodes from rounds of wiping.
 
+mod goal;
 mod log;
 mod logged;
 
+pub use goal::{
+    GoalOutcome, RememberedGoal, RememberedPart, RememberedStep, StepKind, remember_goal,
+};
 pub use log::RoundLog;
 pub use logged::remember_log;
 

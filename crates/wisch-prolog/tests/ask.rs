@@ -312,7 +312,12 @@ const BY_HAND: &[(&str, &[&str])] = &[
     ),
     (
         "action_failed(A)",
-        &["semco:'WipingAction_e2-1'", "semco:'WipingAction_e4-1'"],
+        &[
+            "semco:'GoalAction_g0-1'",
+            "semco:'WipingAction_e2-1'",
+            "semco:'WipingAction_e4-1'",
+            "semco:'WipingStep_g0-6'",
+        ],
     ),
     (
         "has_data_value(A, performance =< 0.65), is_action(A)",
@@ -338,6 +343,59 @@ const BY_HAND: &[(&str, &[&str])] = &[
     (
         "setof(_T, _A^holds(_A, semco:usesTool, _T), L)",
         &["[semco:broom, semco:sponge]"],
+    ),
+    (
+        "goal_step(G, N, S, Expected, Taken)",
+        &[
+            "semco:'GoalAction_g0-1' 1 semco:'FetchingStep_g0-4' 10.0 12.0",
+            "semco:'GoalAction_g0-1' 2 semco:'WipingStep_g0-5' 24.0 30.5",
+            "semco:'GoalAction_g0-1' 3 semco:'WipingStep_g0-6' 20.0 8.5",
+            "semco:'GoalAction_g0-1' 4 semco:'PuttingBackStep_g0-7' 10.0 10.0",
+        ],
+    ),
+    (
+        "goal_step('GoalAction_g0-1', 2, S, _, _), triple(S, semco:words, W)",
+        &["semco:'WipingStep_g0-5' 'absorb breadcrumbs on table with sponge'"],
+    ),
+    (
+        "costliest_step(G, S, Taken)",
+        &["semco:'GoalAction_g0-1' semco:'WipingStep_g0-5' 30.5"],
+    ),
+    (
+        "has_type(S, 'FetchingStep'), triple(S, semco:usesTool, semco:sponge), step_serves(S, Part)",
+        &["semco:'FetchingStep_g0-4' '(absorbed breadcrumbs table)'"],
+    ),
+    (
+        "step_serves(S, '(absorbed breadcrumbs table)')",
+        &[
+            "semco:'FetchingStep_g0-4'",
+            "semco:'PuttingBackStep_g0-7'",
+            "semco:'WipingStep_g0-5'",
+        ],
+    ),
+    (
+        "step_episode(S, E)",
+        &["semco:'WipingStep_g0-5' semco:'WipingEpisode_e1-0'"],
+    ),
+    (
+        "step_episode(S, E), final_performance(E, P)",
+        &["semco:'WipingStep_g0-5' semco:'WipingEpisode_e1-0' 0.92"],
+    ),
+    ("step_episode(S, 'WipingEpisode_e0-0')", &[]),
+    (
+        "goal_part(G, Part, State)",
+        &[
+            "semco:'GoalAction_g0-1' '(absorbed breadcrumbs table)' holds",
+            "semco:'GoalAction_g0-1' '(absorbed water table)' open",
+        ],
+    ),
+    (
+        "open_part('GoalAction_g0-1', Part, Why)",
+        &["'(absorbed water table)' 'no tool'"],
+    ),
+    (
+        "action_failed(G), episode_of(G, E), has_type(G, 'GoalAction')",
+        &["semco:'GoalAction_g0-1' semco:'GoalEpisode_g0-0'"],
     ),
 ];
 

@@ -193,7 +193,8 @@ struct About<'a> {
 impl<'a> About<'a> {
     fn of(catalogue: &'a Catalogue) -> Self {
         let first = |id: IndividualId| catalogue.episode_of(id).first;
-        let actions = catalogue.individuals_of_class("semco:WipingAction").iter();
+        let of_class = |class| catalogue.individuals_of_class(class).iter();
+        let actions = of_class("semco:WipingAction").chain(of_class("semco:GoalAction"));
         let verdicts = catalogue.texts("semco:verdict").iter();
         Self {
             catalogue,

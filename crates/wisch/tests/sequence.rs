@@ -138,6 +138,34 @@ fn what_holds_needs_no_step_and_steps_change_what_holds() {
 }
 
 #[test]
+fn a_wiping_serves_the_parts_that_it_reaches_or_whose_way_it_clears() {
+    let (domain, knowledge) = (domain(), knowledge(0));
+    let goal = "(and (absorbed water table) (not (wet table)) (collected breadcrumbs table) (absorbed water floor))";
+    let goal = CompoundGoal::parse(goal).unwrap();
+    let media = [
+        on("water", "table"),
+        on("breadcrumbs", "table"),
+        on("sand", "table"),
+        on("water", "floor"),
+    ];
+    let tools = ["sponge", "brush", "broom"];
+    let situation = Situation::new(&domain, &knowledge, &goal, &media, None, &tools).unwrap();
+    let served = |action, medium: &str, surface: &str| {
+        let wipings = situation.possible_wipings(&goal);
+        let is_meant = |wiping: &&Wiping| {
+            (wiping.action, &*wiping.medium, &*wiping.surface) == (action, medium, surface)
+        };
+        let wiping = wipings.iter().find(is_meant).unwrap();
+        situation.find_served_parts(wiping, &goal)
+    };
+    assert_eq!(served(Action::Absorb, "water", "table"), [0, 1]);
+    assert_eq!(served(Action::Absorb, "water", "floor"), [3]);
+    // The crumbs are a part of the goal; the sand is wiped because it lies in the way of the water.
+    assert_eq!(served(Action::Collect, "breadcrumbs", "table"), [2]);
+    assert_eq!(served(Action::Collect, "sand", "table"), [0, 1]);
+}
+
+#[test]
 fn what_cannot_be_reached_is_left_out_and_the_rest_is_planned() {
     let media = [on("breadcrumbs", "chopping_board"), on("water", "table")];
     let goal = "(and (collected breadcrumbs chopping_board) (absorbed water table))";

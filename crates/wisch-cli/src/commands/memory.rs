@@ -29,6 +29,9 @@ struct Listed<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     clock_duration_s: Option<f64>,
     rounds: usize,
+    /// Number of steps of a goal of several parts, whose wiping steps have episodes of their own; absent for other episodes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steps: Option<usize>,
     /// Estimated performance after the last round; absent without a wiping action.
     #[serde(skip_serializing_if = "Option::is_none")]
     performance: Option<f64>,
@@ -36,7 +39,9 @@ struct Listed<'a> {
     succeeded: Option<bool>,
     /// `met`, `not met` or `unknown`.
     goal: &'static str,
-    human_collisions: usize,
+    /// Number of human collisions; absent for a goal of several parts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    human_collisions: Option<usize>,
 }
 
 /// Lists the episodes.
@@ -48,10 +53,11 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     }
     let actions = actions(&catalogue);
     let collisions = counts(&catalogue, "semco:HumanCollision");
+    let steps = count_steps(&catalogue);
     let mut listed: Vec<Listed<'_>> = catalogue
         .episodes()
         .iter()
-        .map(|row| Listed::new(&catalogue, row, &actions, &collisions))
+        .map(|row| Listed::new(&catalogue, row, &actions, [&collisions, &steps]))
         .collect();
     listed.sort_by(|a, b| a.begin.total_cmp(&b.begin).then(a.id.cmp(b.id)));
     let mut text = String::new();
@@ -74,8 +80,9 @@ impl<'a> Listed<'a> {
         catalogue: &'a Catalogue,
         row: &'a EpisodeRow,
         actions: &BTreeMap<IndividualId, IndividualId>,
-        collisions: &BTreeMap<IndividualId, usize>,
+        [collisions, steps]: [&BTreeMap<IndividualId, usize>; 2],
     ) -> Self {
+        let steps = steps.get(&row.first).copied();
         let action = actions.get(&row.first).copied();
         let performance = action.and_then(|action| {
             let found = entries(catalogue.numbers("semco:performance"), action);
@@ -102,10 +109,22 @@ impl<'a> Listed<'a> {
             clock_duration_s: clock_duration(catalogue, row),
             duration_s: row.interval[1] - row.interval[0],
             rounds: row.rounds.len(),
+            steps,
             performance,
             succeeded: (goal != UNKNOWN).then_some(goal == "met"),
             goal,
-            human_collisions: collisions.get(&row.first).copied().unwrap_or(0),
+            human_collisions: (steps.is_none())
+                .then(|| collisions.get(&row.first).copied().unwrap_or(0)),
+        }
+    }
+}
+
+impl Listed<'_> {
+    /// The number of rounds, or in words that of the steps of a goal of several parts.
+    fn rounds_in_words(&self) -> String {
+        match self.steps {
+            Some(steps) => counted(steps, "step"),
+            None => self.rounds.to_string(),
         }
     }
 }
@@ -116,9 +135,10 @@ fn clock_duration(catalogue: &Catalogue, row: &EpisodeRow) -> Option<f64> {
     found.first().map(|(_, seconds)| *seconds)
 }
 
-/// The wiping of each episode, by the episode's first individual.
+/// The wiping of each episode, or the action towards its goal, by the episode's first individual.
 fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
-    let actions = catalogue.individuals_of_class("semco:WipingAction").iter();
+    let of_class = |class| catalogue.individuals_of_class(class).iter();
+    let actions = of_class("semco:WipingAction").chain(of_class("semco:GoalAction"));
     let by_episode = actions.map(|&id| (catalogue.episode_of(id).first, id));
     by_episode.collect()
 }
@@ -132,26 +152,40 @@ fn counts(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
     counts
 }
 
+/// The number of steps of each goal of several parts, by the episode's first individual.
+fn count_steps(catalogue: &Catalogue) -> BTreeMap<IndividualId, usize> {
+    let goals = catalogue.individuals_of_class("semco:GoalEpisode").iter();
+    let mut counts: BTreeMap<_, _> = goals.map(|&id| (id, 0)).collect();
+    for &(step, _) in catalogue.numbers("semco:step") {
+        *counts.entry(catalogue.episode_of(step).first).or_default() += 1;
+    }
+    counts
+}
+
 fn table(listed: &[Listed<'_>]) -> String {
     let width = |of: fn(&Listed<'_>) -> usize, least: usize| {
         listed.iter().map(of).max().unwrap_or(0).max(least)
     };
     let id = width(|one| one.id.chars().count(), 7);
     let task = width(|one| one.task.chars().count(), 4);
+    let rounds = width(|one| one.rounds_in_words().chars().count(), 6);
     let mut text = format!(
-        "{:<id$}  {:<task$}  {:<26}  {:>8}  {:>6}  {:>11}  {:<14}  collisions\n",
+        "{:<id$}  {:<task$}  {:<26}  {:>8}  {:>rounds$}  {:>11}  {:<14}  collisions\n",
         "episode", "task", "began", "duration", "rounds", "performance", "goal"
     );
     for one in listed {
         let performance = one.performance.map_or_else(|| "–".to_owned(), percent);
         let duration = format!("{:.1} s", one.duration_s);
+        let collisions = (one.human_collisions).map_or_else(|| "–".to_owned(), |n| n.to_string());
         let (goal, began) = (
             one.goal,
             one.start_s.map_or_else(undated, local_date_and_time),
         );
         text += &format!(
-            "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>6}  {performance:>11}  {goal:<14}  {:>10}\n",
-            one.id, one.task, one.rounds, one.human_collisions
+            "{:<id$}  {:<task$}  {began:<26}  {duration:>8}  {:>rounds$}  {performance:>11}  {goal:<14}  {collisions:>10}\n",
+            one.id,
+            one.task,
+            one.rounds_in_words()
         );
     }
     text + &format!("{}\n", counted(listed.len(), "episode"))

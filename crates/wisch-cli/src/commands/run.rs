@@ -1,7 +1,7 @@
 //! `wisch run`, `wisch plan`, `wisch predict` and `wisch follow`: run the stages and write the folder of results.
 
 use super::extent::{Extent, choose_robot, find_single_option};
-use super::goal::{GoalRun, GoalSummary, GoalTask, read_goal};
+use super::goal::{GoalEpisode, GoalRun, GoalSummary, GoalTask, read_goal, read_step_number};
 use super::interrupt::is_stop_requested;
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
@@ -15,8 +15,10 @@ use crate::args::{
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json, remark};
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use wisch_io::{GoalFile, OutputFile, PLAN_FILE, REPORT_FILE, Summary, wipes_all_patches};
+use wisch_record::RunClock;
 
 /// The file of the steps of a goal, in the folder of results.
 const STEPS_FILE: &str = "steps.json";
@@ -74,13 +76,21 @@ fn work(
     }
     let is_met = if let Some(file) = read_goal(task_args)? {
         let work = (task_args, &file);
-        let (summary, broken) = work_on_goal(work, results, plan_file, extent, global)?;
+        let done = work_on_goal(work, results, plan_file, extent, global)?;
+        let summary = done.summary;
         if results.json {
             print_json(&summary)?;
         } else if !global.quiet {
-            print(&summary.in_words())?;
+            let kept = done.kept.as_ref().ok().and_then(Option::as_ref);
+            let kept = kept.map(|place| format!("  {:<18} {}\n", "episode", place.display()));
+            print(&(summary.in_words() + &kept.unwrap_or_default()))?;
         }
-        broken.map_or(Ok(summary.is_met()), Err)?
+        if let Some(failure) = done.broken {
+            return Err(failure);
+        }
+        // The results are complete at this point, even if the episode could not be kept.
+        done.kept?;
+        summary.is_met()
     } else if wipes_all_patches(&task_args.task, &task_args.settings)? {
         work_on_patches(task_args, results, plan_file, extent, global)?
     } else {
@@ -106,19 +116,27 @@ pub(super) fn run_goal(
     let file = read_goal(&args.task)?;
     let file = file.ok_or_else(|| stage_failure(&args.task, "the goal has a single part"))?;
     let (extent, work) = (Extent::Run(&args.robot, rounds), (&args.task, &file));
-    let (summary, broken) = work_on_goal(work, &args.results, None, extent, global)?;
-    broken.map_or(Ok(summary), Err)
+    let done = work_on_goal(work, &args.results, None, extent, global)?;
+    done.broken.map_or(Ok(done.summary), Err)
 }
 
-/// Works on a goal of several parts, one step after another. Returns the failure of a later step together with a summary of
-/// the steps before it.
+/// What a command for a goal of several parts has done.
+struct GoalDone {
+    summary: GoalSummary,
+    /// The failure of a step after the first one; the summary holds the steps before it.
+    broken: Option<Failure>,
+    /// The folder of the goal's episode; `None` if none was to be kept.
+    kept: Result<Option<PathBuf>, Failure>,
+}
+
+/// Works on a goal of several parts, one step after another.
 fn work_on_goal(
     (task_args, file): (&TaskArgs, &GoalFile),
     results: &ResultArgs,
     plan_file: Option<&Path>,
     extent: Extent<'_>,
     global: &GlobalArgs,
-) -> Result<(GoalSummary, Option<Failure>), Failure> {
+) -> Result<GoalDone, Failure> {
     let has_executor = extent.rounds().is_some_and(LoopArgs::has_executor);
     // Nothing but the simulated world changes tools.
     let executor = Some("--executor or --on").filter(|_| has_executor);
@@ -158,6 +176,13 @@ fn work_on_goal(
     // Also if no step is needed.
     std::fs::create_dir_all(&out).map_err(|error| Failure::new(error).within(&out))?;
     let run = GoalRun::begin(&task, is_executed, out.clone())?;
+    let memory = extent.rounds().map(|rounds| &rounds.memory);
+    let memory = memory.filter(|memory| is_executed && !memory.no_memory);
+    let mut episode = memory.map(|memory| GoalEpisode {
+        memory: memory.memory.clone(),
+        clock: RunClock::start(),
+        step_episodes: BTreeMap::new(),
+    });
     let (summary, broken) = run.run(&mut |args, folder| {
         let of_step = ResultArgs {
             out: Some(folder.to_owned()),
@@ -166,12 +191,22 @@ fn work_on_goal(
         };
         let mut done = wipe_surface(args, &of_step, None, extent, global, &|_| Ok(()))?;
         done.is_stopped |= is_stop_requested();
+        if let (Some(goal), Some(number), Some(id)) =
+            (&mut episode, read_step_number(folder), done.episode.clone())
+        {
+            goal.step_episodes.insert(number, id);
+        }
         Ok(done)
     })?;
+    let kept = episode.map_or(Ok(None), |episode| episode.keep(file, &summary));
     let json = serde_json::to_vec_pretty(&summary).map_err(internal)?;
     OutputFile::begin(&out.join(STEPS_FILE))?.finish(&json)?;
     OutputFile::begin(&out.join(REPORT_FILE))?.finish(summary.page().as_bytes())?;
-    Ok((summary, broken))
+    Ok(GoalDone {
+        summary,
+        broken,
+        kept,
+    })
 }
 
 /// Removes the folders of steps that an earlier run has listed in a folder of results.

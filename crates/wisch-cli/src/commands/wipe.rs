@@ -49,6 +49,8 @@ pub(super) struct SurfaceOutcome {
     pub swept: SweptSurface,
     /// Whether the run waits for its operator, or was interrupted.
     pub is_stopped: bool,
+    /// Name of the kept episode, if one was kept.
+    pub episode: Option<String>,
 }
 
 fn begin(global: &GlobalArgs) -> (Progress, RunClock) {
@@ -143,9 +145,7 @@ pub(super) fn wipe_surface(
         print(&(texts + &episode_in_words(&episode)))?;
     }
     // The results are complete at this point, even if the episode could not be kept.
-    if let Some(kept) = episode? {
-        remark_on(&kept)?;
-    }
+    let episode = episode?.map(remark_on).transpose()?;
     remark_unseen(&results_of);
     let is_interrupted = stop.is_some_and(|stop| stop.load(Ordering::SeqCst));
     if let Some(note) = note_on_stop(&results_of, &prepared.run).filter(|_| !is_interrupted) {
@@ -157,6 +157,7 @@ pub(super) fn wipe_surface(
         summary,
         swept: find_swept(&results_of, is_executed).map_err(internal)?,
         is_stopped: is_interrupted || is_stopped(&results_of),
+        episode,
     })
 }
 
@@ -267,13 +268,13 @@ fn episode_in_words(kept: &Kept) -> String {
     }
 }
 
-/// Prints the notes about a kept episode. Missing telemetry is an error.
-fn remark_on(kept: &KeptEpisode) -> Result<(), Failure> {
+/// Prints the notes about a kept episode, and returns its name. Missing telemetry is an error.
+fn remark_on(kept: KeptEpisode) -> Result<String, Failure> {
     for what in &kept.remarks {
         remark(what);
     }
     if kept.without.is_empty() {
-        return Ok(());
+        return Ok(kept.id);
     }
     Err(Failure::new(format!(
         "{}: the episode was kept without {}",

@@ -90,7 +90,9 @@ impl Projection {
                     motions.push(&part.motion());
                 }
                 class if MOTIONS.contains(&class) => motions.push(&part.motion()),
-                "WipingEpisode" | "WipingAction" => {}
+                "WipingEpisode" | "WipingAction" | "GoalEpisode" | "GoalAction" => {}
+                // A step towards a goal of several parts; its wiping has an episode of its own.
+                _ if one.values.contains_key("semco:step") => {}
                 // An individual with a time that is not a motion is an event; one without a time, such as the task, is
                 // not.
                 _ if one.interval.is_some() => events.push(&part.event()),
@@ -171,7 +173,7 @@ impl<'a> About<'a> {
     fn episode<'b>(&'b self, keep: &'b Keep) -> Vec<Cell<'b>> {
         let record = self.record;
         let of_class = |class: &str| record.individuals.iter().find(|one| one.class == class);
-        let action = of_class("semco:WipingAction");
+        let action = of_class("semco:WipingAction").or_else(|| of_class("semco:GoalAction"));
         let number = |name: &str| Cell::Number(action.and_then(|one| number(one, name)));
         let text = |name: &str| Cell::Text(action.and_then(|one| text(one, name)));
         let thing = |name: &str| Cell::Text(action.and_then(|one| related(one, name)));

@@ -6,7 +6,7 @@ use super::meta::NeemMeta;
 use super::triples::{self, Triple, individual};
 use super::{NeemError, OBSERVATIONS, at, collection_file};
 use crate::ontology::{Ontology, SEMCO_OWL};
-use crate::record::{EpisodeRecord, Value};
+use crate::record::{EpisodeRecord, Individual, Value};
 use bson::oid::ObjectId;
 use bson::raw::cstr;
 use bson::{DateTime, RawDocumentBuf, rawdoc};
@@ -428,6 +428,15 @@ impl ObjectIds {
 
 /// Describes an episode in a sentence.
 fn describe_episode(record: &EpisodeRecord) -> String {
+    if record.is_of_goal() {
+        let is_step = |individual: &&Individual| individual.values.contains_key("semco:step");
+        let steps = record.individuals.iter().filter(is_step).count();
+        let plural = if steps == 1 { "" } else { "s" };
+        return format!(
+            "Goal of several parts of the task {} in {steps} step{plural}.",
+            record.task
+        );
+    }
     let mut text = format!("Wiping task {}", record.task);
     let rounds = record.rounds.len();
     text += &format!(" in {rounds} round{}", if rounds == 1 { "" } else { "s" });

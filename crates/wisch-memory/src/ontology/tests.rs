@@ -1,10 +1,18 @@
 use super::*;
 
 /// Every class of an episode's record.
-const CLASSES: [&str; 52] = [
+const CLASSES: [&str; 60] = [
     "WipingEpisode",
     "WipingAction",
     "WipingRound",
+    "GoalEpisode",
+    "GoalAction",
+    "GoalPart",
+    "GoalStep",
+    "WipingStep",
+    "FetchingStep",
+    "PuttingBackStep",
+    "EmptyingStep",
     "Motion",
     "Approach",
     "Stroke",
@@ -60,7 +68,8 @@ const CLASSES: [&str; 52] = [
 const VALUES: &str = "taskName seed performance performanceLow performanceHigh predictedPerformance \
     simulatedPerformance target rounds strategy goal round strokes contactShare meanNormalForce planeTilt \
     planeOffset forceBias verdict diagnosis ending stroke peakForce samples peakHeight edgeDistance \
-    warningChannel warningValue bandLow bandHigh pValue alikeEpisodes";
+    warningChannel warningValue bandLow bandHigh pValue alikeEpisodes step words expectedTime takenTime stepEpisode \
+    partState openReason";
 
 fn foreign(name: &&str) -> bool {
     name.starts_with("soma:") || name.starts_with("dul:")
@@ -105,7 +114,7 @@ fn every_value_is_a_data_property_with_domain_range_and_unit() {
         assert!(term.domain.is_some(), "{name}");
         match term.range.as_deref() {
             Some("xsd:double") => assert!(
-                ["[1]", "[N]", "[m]", "[rad]"]
+                ["[1]", "[N]", "[m]", "[rad]", "[s]"]
                     .iter()
                     .any(|unit| term.comment.contains(unit)),
                 "{name}: {}",
@@ -149,6 +158,8 @@ fn tasks_and_events_have_the_parents_of_the_literature() {
         ("semco:ToolContact", "soma:State"),
         ("semco:Stroke", "dul:Action"),
         ("semco:WipingEpisode", "soma:Episode"),
+        ("semco:GoalEpisode", "soma:Episode"),
+        ("semco:EmptyingStep", "dul:Action"),
     ] {
         assert!(above(class).contains(&parent), "{class} below {parent}");
     }

@@ -494,7 +494,7 @@ fn occurrences(catalogue: &Catalogue, row: &EpisodeRow) -> Vec<Occurrence> {
             interval: catalogue.interval(id)?,
         })
     });
-    let wholes = ["WipingEpisode", "WipingAction"];
+    let wholes = ["WipingEpisode", "WipingAction", "GoalEpisode", "GoalAction"];
     found
         .filter(|occurrence| !wholes.contains(&occurrence.class.as_str()))
         .collect()

@@ -1,4 +1,4 @@
-//! Six episodes made by hand, small enough to answer every question by looking.
+//! Seven episodes made by hand, small enough to answer every question by looking.
 //!
 //! | | rounds: estimated performance | what happened |
 //! |---|---|---|
@@ -9,9 +9,14 @@
 //! | e4 | 0.60, 0.60 | the second round brings nothing |
 //! | e5 | 0.95 | the broom on the table, a second stroke touches nothing |
 //!
-//! Each begins a thousand seconds after the one before and presses 0.4 N less on the board.
+//! Between e1 and e2 lies g0, a goal of two parts: the sponge is fetched, and e1 is its wiping step.
+//!
+//! Each of e0 to e5 begins a thousand seconds after the one before and presses 0.4 N less on the board.
 
-use wisch_memory::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
+use wisch_memory::{
+    EPISODE_SCHEMA, EpisodeHeader, EpisodeRecord, GoalOutcome, Individual, Origin, RememberedGoal,
+    RememberedPart, RememberedStep, StepKind, Value, remember_goal,
+};
 
 /// An episode in the making.
 struct Making {
@@ -62,9 +67,77 @@ const fn round(low: f64, mean: f64, high: f64) -> Round {
     }
 }
 
-/// The six episodes.
+/// The seven episodes.
 pub fn episodes() -> Vec<EpisodeRecord> {
-    (0..6).map(episode).collect()
+    (0..6).map(episode).chain([goal_episode()]).collect()
+}
+
+fn goal_episode() -> EpisodeRecord {
+    let header = EpisodeHeader {
+        id: "g0".to_owned(),
+        task: "kitchen".to_owned(),
+        start: 2500.0,
+        target: 0.9,
+        seed: 1,
+        program: "by hand".to_owned(),
+    };
+    let part = |part: &str, outcome, why: Option<&str>| RememberedPart {
+        part: part.to_owned(),
+        outcome,
+        why: why.map(str::to_owned),
+    };
+    let step = |kind, words: &str, times, episode: Option<&str>| RememberedStep {
+        kind,
+        words: words.to_owned(),
+        things: [Some("sponge".to_owned()), None, None],
+        times,
+        is_met: None,
+        serves: vec![0],
+        episode: episode.map(str::to_owned),
+    };
+    let goal = RememberedGoal {
+        goal: "(and (absorbed breadcrumbs table) (absorbed water table))".to_owned(),
+        robot: Some("humanoid".to_owned()),
+        expected: 34.0,
+        clock_duration: 90.0,
+        parts: vec![
+            part("(absorbed breadcrumbs table)", GoalOutcome::Met, None),
+            part(
+                "(absorbed water table)",
+                GoalOutcome::NotMet,
+                Some("no tool"),
+            ),
+        ],
+        steps: vec![
+            step(StepKind::Fetch, "fetch sponge", [0.0, 10.0, 12.0], None),
+            RememberedStep {
+                is_met: Some(GoalOutcome::Met),
+                ..step(
+                    StepKind::Wipe,
+                    "absorb breadcrumbs on table with sponge",
+                    [12.0, 24.0, 30.5],
+                    Some("e1"),
+                )
+            },
+            RememberedStep {
+                is_met: Some(GoalOutcome::NotMet),
+                serves: vec![1],
+                ..step(
+                    StepKind::Wipe,
+                    "absorb water on table with sponge",
+                    [42.5, 20.0, 8.5],
+                    Some("lost"),
+                )
+            },
+            step(
+                StepKind::PutBack,
+                "put sponge back",
+                [51.0, 10.0, 10.0],
+                None,
+            ),
+        ],
+    };
+    remember_goal(&header, &goal)
 }
 
 fn episode(number: usize) -> EpisodeRecord {

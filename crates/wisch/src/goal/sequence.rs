@@ -463,21 +463,51 @@ impl<'a> Situation<'a> {
 
     /// Whether a wiping action brings a part of the goal about.
     fn serves(&self, wiping: &Wiping, goal: &CompoundGoal) -> bool {
+        !self.find_reached_parts(wiping, goal).is_empty()
+    }
+
+    /// Returns the indices of the parts of a goal that a wiping action brings about, in the order of [`CompoundGoal::parts`].
+    pub fn find_reached_parts(&self, wiping: &Wiping, goal: &CompoundGoal) -> Vec<usize> {
         let Some(schema) = self.schema(wiping.action.as_str()) else {
-            return false;
+            return Vec::new();
         };
         let problem = self.problem(Vec::new());
         let Some(objects) = bind(schema, wiping) else {
-            return false;
+            return Vec::new();
         };
-        (schema.effects.iter()).any(|effect| {
-            let facts = problem.instances(effect, schema, &objects);
-            let wanted = goal.parts.iter();
-            let wanted = wanted.flat_map(|(holds, part)| self.expand(*holds, part));
-            wanted.into_iter().any(|(holds, words)| {
-                holds == effect.holds && facts.iter().any(|fact| words == owned(fact))
-            })
-        })
+        let is_effect = |(holds, words): (bool, Vec<String>)| {
+            let effects = schema.effects.iter().filter(|effect| effect.holds == holds);
+            let mut facts = effects.flat_map(|effect| problem.instances(effect, schema, &objects));
+            facts.any(|fact| words == owned(&fact))
+        };
+        let parts = goal.parts.iter().enumerate().filter(|(_, (holds, part))| {
+            let wanted = self.expand(*holds, part);
+            wanted.into_iter().any(&is_effect)
+        });
+        parts.map(|(place, _)| place).collect()
+    }
+
+    /// Returns the indices of the parts of a goal that a wiping action serves, in the order of [`CompoundGoal::parts`]: the
+    /// parts that it brings about, or else those that need a medium wiped in whose way its own medium lies.
+    ///
+    /// Call it for the state before the first step, in which all dirt lies in the way.
+    pub fn find_served_parts(&self, wiping: &Wiping, goal: &CompoundGoal) -> Vec<usize> {
+        let own = self.find_reached_parts(wiping, goal);
+        if !own.is_empty() {
+            return own;
+        }
+        let Wiping {
+            medium, surface, ..
+        } = wiping;
+        let cleared = self.on_surfaces.iter().filter(|on| {
+            let way = owned(&["in-way", medium, &on.medium, surface]);
+            on.surface == *surface && self.facts.contains(&way)
+        });
+        let behind = cleared.flat_map(|on| self.capable(on));
+        let served: BTreeSet<usize> = behind
+            .flat_map(|wiping| self.find_reached_parts(&wiping, goal))
+            .collect();
+        served.into_iter().collect()
     }
 
     /// Returns the planning problem of some parts of a goal.

@@ -249,9 +249,13 @@ pub(super) fn recordings(
         recordings.push(recording(episode, tasks)??);
     }
     if named.is_empty() {
-        let ids = memory.episodes().map_err(broken)?;
-        for id in &ids {
-            let episode = memory.episode(id).map_err(broken)?;
+        let mut episodes = 0;
+        for id in memory.episodes().map_err(broken)? {
+            let episode = memory.episode(&id).map_err(broken)?;
+            if episode.record().map_err(broken)?.is_of_goal() {
+                continue;
+            }
+            episodes += 1;
             match recording(episode, tasks)? {
                 Ok(recording) => recordings.push(Recording {
                     is_optional: true,
@@ -264,7 +268,7 @@ pub(super) fn recordings(
             }
         }
         if recordings.is_empty() {
-            return Err(learned_nothing(ids.len()).within(&folder));
+            return Err(learned_nothing(episodes).within(&folder));
         }
     }
     Ok((recordings, left_out))
