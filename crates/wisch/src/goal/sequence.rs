@@ -500,8 +500,8 @@ impl<'a> Situation<'a> {
             medium, surface, ..
         } = wiping;
         let cleared = self.on_surfaces.iter().filter(|on| {
-            let way = owned(&["in-way", medium, &on.medium, surface]);
-            on.surface == *surface && self.facts.contains(&way)
+            let facts = [IN_WAY, UNDER].map(|name| owned(&[name, medium, &on.medium, surface]));
+            on.surface == *surface && facts.iter().any(|fact| self.facts.contains(fact))
         });
         let behind = cleared.flat_map(|on| self.capable(on));
         let served: BTreeSet<usize> = behind
