@@ -24,6 +24,7 @@ fn write_board(folder: &Path) {
         [[medium]]
         name = "water"
         particles = { source = "clusters", count = 40, clusters = [{ center_m = [-0.08, 0.04], sigma_m = 0.02 }] }
+        execution = { dirt = { source = "clusters", clusters = [{ center_m = [-0.08, 0.04], sigma_m = 0.02 }] } }
         [[medium]]
         name = "breadcrumbs"
         particles = { source = "uniform", count = 40 }

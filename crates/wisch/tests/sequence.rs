@@ -275,7 +275,11 @@ fn nothing_lies_under_a_treatment_and_a_coat_goes_last() {
     let sequence = plan(goal, &media, &["sponge", "brush"]);
     let steps = steps(&sequence);
     assert!(
-        steps.contains(&"(absorb sponge breadcrumbs table)".to_owned()),
+        steps.iter().any(|step| [
+            "(absorb sponge breadcrumbs table)",
+            "(skim sponge breadcrumbs table)"
+        ]
+        .contains(&step.as_str())),
         "{steps:?}"
     );
     assert!(

@@ -9,7 +9,7 @@ use wisch::goal::{CompoundGoal, GoalLiteral, MediumOnSurface};
 use wisch::source_location::{Place, UnknownName};
 
 /// Keys that a `[[medium]]` may have for its part of the goal, in place of those of the file.
-const OF_MEDIUM: [&str; 9] = [
+const OF_MEDIUM: [&str; 10] = [
     "strategy",
     "target_performance",
     "interaction",
@@ -19,6 +19,7 @@ const OF_MEDIUM: [&str; 9] = [
     "particles",
     "perception",
     "plan",
+    "execution",
 ];
 /// Keys of settings that are not of a single part of the goal.
 const OF_ALL: [&str; 8] = [

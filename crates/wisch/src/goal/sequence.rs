@@ -178,7 +178,7 @@ pub struct Sequence {
 impl Sequence {
     /// Expected time of all steps \[s\].
     pub fn time(&self) -> f64 {
-        self.steps.iter().map(|step| step.time).sum()
+        self.steps.iter().fold(0.0, |time, step| time + step.time)
     }
 }
 
