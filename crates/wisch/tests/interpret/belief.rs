@@ -7,6 +7,7 @@ use wisch::interpret::{
     Belief, DirtPrior, Doubt, InterpretConfig, Interpreter, ObservationUpdate, TouchSample,
     interpret,
 };
+use wisch::recover::is_claimable;
 use wisch::represent::{
     Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel, Sight,
     Task,
@@ -278,6 +279,62 @@ fn the_first_observation_does_not_prove_that_the_camera_detects_dirt() {
     let clean = after(&seen_before, 1);
     let [unseen, clean] = [unseen, clean].map(|felt| felt.performance);
     assert!(unseen.low < 0.7 && clean.low > 0.8, "{unseen:?} {clean:?}");
+}
+
+/// The tool wipes the right half of the board only, and places and number of the dirt are unknown.
+#[test]
+fn a_first_observation_of_fewer_grains_than_expected_proves_nothing() {
+    let task = task(60, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 400);
+    let upward = |x: f64| [Point2::new(x, -0.09), Point2::new(x, 0.09)];
+    let script = Script {
+        strokes: [0.03, 0.08, 0.13].map(upward).to_vec(),
+        ..Script::default()
+    };
+    let samples = script.samples(&task);
+    let places: Vec<Point2> = task.particles.remaining().collect();
+    let first = |count: usize| Observation {
+        detections: places[..count].to_vec(),
+        hidden: Region::default(),
+    };
+    let after = |belief: &Belief, count: usize| {
+        let mut felt = interpret(&samples, &task, belief, &goal, &config).unwrap();
+        let seen = Observation {
+            detections: (0..count)
+                .map(|i| Point2::new(-0.15, -0.1 + 0.004 * i as f64))
+                .collect(),
+            hidden: Region::default(),
+        };
+        felt.observe(&update(&task, &goal, &seen));
+        let is_doubted =
+            (felt.doubts.iter()).any(|doubt| matches!(doubt, Doubt::ObservationContradicts { .. }));
+        (felt, is_doubted)
+    };
+    for count in 0..5 {
+        let (felt, is_doubted) = after(&belief, count);
+        let [found, by_touch] = [felt.performance, felt.by_touch];
+        assert!(is_doubted, "{count}: {found:?}");
+        assert!(
+            found.low < 0.5 * (by_touch.low + by_touch.mean),
+            "{count}: {found:?} {by_touch:?}"
+        );
+        assert!(
+            !is_claimable(&felt.distribution, 0.85),
+            "{count}: {found:?}"
+        );
+    }
+    let (felt, is_doubted) = after(&belief, 27);
+    let found = felt.performance;
+    assert!(
+        !is_doubted && found.low > 0.2 && found.high < 0.7,
+        "{found:?}"
+    );
+    // An earlier observation shows that the camera detects dirt, and how much there was.
+    let seen_before = belief.observe(&update(&task, &goal, &first(60)));
+    let (_, is_doubted) = after(&seen_before, 27);
+    assert!(!is_doubted);
 }
 
 #[test]
