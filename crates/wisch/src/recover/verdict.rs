@@ -329,7 +329,7 @@ impl TerminationPolicy {
             };
         }
         self.is_first = false;
-        let is_shown = is_seen || (is_told && !is_disturbed);
+        let is_shown = is_told && (is_seen || !is_disturbed);
         if is_shown && is_claimable(&interpretation.distribution, self.target) {
             return if is_seen || !is_hovering {
                 Verdict::GoalMet

@@ -345,9 +345,7 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         let here = ParticleDistribution::new(&places(60, 0.1)).unwrap();
         let belief = Belief::from_members(vec![here; 64]).unwrap();
         let mut interpreter = Interpreter::new(&task, &config).unwrap();
-        for k in 0..500 {
-            let world_from_tool = Pose::translation(1e-3 * f64::from(k) - 0.25, 0.0, 0.05);
-            let sample = TouchSample::new(0.01 * f64::from(k), world_from_tool, Vector3::zeros());
+        for sample in hovering() {
             interpreter.push(&sample).unwrap();
         }
         let hovered = interpreter.conclude(&belief, &goal).unwrap();
@@ -369,6 +367,49 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         assert!(explained.is_conclusive(), "{goal:?}");
         assert!(explained.performance.high < 0.2, "{goal:?}");
     }
+}
+
+/// A camera sees the same grains before and after a log in which the tool hovers.
+#[test]
+fn a_log_without_contact_after_others_leaves_what_the_camera_sees() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let grains: Vec<Point2> = task.particles.remaining().take(60).collect();
+    let seen = |count: usize| Observation {
+        detections: grains[..count].to_vec(),
+        hidden: Region::default(),
+    };
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 200);
+    let belief = belief.observe(&update(&task, &goal, &seen(60)));
+    let mut wiped = interpreted_from(&belief, &task, &config);
+    wiped.observe(&update(&task, &goal, &seen(14)));
+    let mut interpreter = Interpreter::new(&task, &config).unwrap();
+    for sample in hovering() {
+        interpreter.push(&sample).unwrap();
+    }
+    let mut hovered = interpreter.conclude(&wiped.belief, &goal).unwrap();
+    hovered.observe(&update(&task, &goal, &seen(14)));
+    let contradicts = |doubt: &Doubt| matches!(doubt, Doubt::ObservationContradicts { .. });
+    assert!(
+        !hovered.doubts.iter().any(contradicts),
+        "{:?}",
+        hovered.doubts
+    );
+    let [before, after] = [wiped, hovered].map(|found| found.performance);
+    assert!(
+        (after.mean - before.mean).abs() < 0.01,
+        "{before:?} {after:?}"
+    );
+    assert!(after.high < 0.8, "{after:?}");
+}
+
+/// Samples of a tool that hovers over the surface without any force.
+fn hovering() -> impl Iterator<Item = TouchSample> {
+    (0..500).map(|k| {
+        let world_from_tool = Pose::translation(1e-3 * f64::from(k) - 0.25, 0.0, 0.05);
+        TouchSample::new(0.01 * f64::from(k), world_from_tool, Vector3::zeros())
+    })
 }
 
 #[test]

@@ -87,8 +87,10 @@ impl Replay<'_> {
             );
             (after, state)
         });
+        let remaining = |member: usize| before[member % before.len()].tally().remaining;
         Belief::continue_with(
             members.collect(),
+            (0..count).map(remaining).collect(),
             weights,
             self.stiffness,
             believed.was_seen,

@@ -315,7 +315,7 @@ impl ObservationUpdate<'_> {
             never.count() as f64
         };
         let seen = self.observation.detections.len();
-        let all = |member: usize| belief.members()[member].len() as f64;
+        let all = |member: usize| belief.count_before(member) as f64;
         let visible = |member: usize| self.count_visible(&belief.members()[member]);
         let count_left: &dyn Fn(usize) -> f64 = if was_felt { &visible } else { &all };
         let believed = self.expect(belief, &all);
