@@ -1,7 +1,7 @@
 //! The belief before the first measurement, and its updates by observations.
 
 use super::interpreted_with;
-use super::log::{STEEP, Script, task};
+use super::log::{PRESS, STEEP, Script, task};
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::interpret::{
     Belief, DirtPrior, Doubt, InterpretConfig, Interpreter, ObservationUpdate, TouchSample,
@@ -367,6 +367,35 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         assert!(explained.is_conclusive(), "{goal:?}");
         assert!(explained.performance.high < 0.2, "{goal:?}");
     }
+}
+
+/// Over the right half of the board the tool hovers in its own softness, with hardly any force.
+#[test]
+fn dirt_that_was_hardly_touched_does_not_vanish() {
+    let task = task(60, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let script = Script {
+        press: |place| if place.x > 0.0 { 0.6 } else { PRESS },
+        ..Script::default()
+    };
+    let grains: Vec<Point2> = task.particles.remaining().collect();
+    let before = Observation {
+        detections: grains.clone(),
+        hidden: Region::default(),
+    };
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 200);
+    let belief = belief.observe(&update(&task, &goal, &before));
+    let mut felt = interpret(&script.samples(&task), &task, &belief, &goal, &config).unwrap();
+    let right = grains.iter().copied().filter(|place| place.x > 0.05);
+    let few = Observation {
+        detections: right.take(5).collect(),
+        hidden: Region::default(),
+    };
+    felt.observe(&update(&task, &goal, &few));
+    let [found, by_touch] = [felt.performance, felt.by_touch];
+    assert!(found.low < by_touch.mean, "{found:?} {by_touch:?}");
+    assert!(!is_claimable(&felt.distribution, 0.85), "{found:?}");
 }
 
 /// A camera sees the same grains before and after a log in which the tool hovers.
