@@ -5,8 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use std::time::Instant;
 use wisch_memory::health::{
-    ChannelAssessment, ChannelState, DriftCause, FEWEST_EPISODES, HealthChannel, HealthFindingKind,
-    HealthReport, RunSource, assess_groups, gather_groups,
+    ChannelAssessment, ChannelState, DescribedHealth, DriftCause, FEWEST_EPISODES, HealthChannel,
+    HealthFindingKind, HealthReport, RunSource, TrendWords, assess_groups, gather_groups,
 };
 use wisch_memory::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 
@@ -270,6 +270,43 @@ fn a_sudden_change_is_no_drift_and_needs_attention_for_ten_runs() {
     }));
     assert!(assessed(&later, HealthChannel::Offset).change.is_some());
     assert_eq!(kinds(&later, HealthChannel::Offset), []);
+}
+
+#[test]
+fn newest_runs_beyond_a_limit_need_attention_whatever_the_line_says() {
+    // The tool loses contact beyond 5 mm. The line through all runs hides the newest three.
+    let report = report_on(&scattered(8, 24, |day, run| {
+        shift(&mut run.offset, if day < 21 { 0.0 } else { 12e-3 });
+    }));
+    let offset = assessed(&report, HealthChannel::Offset);
+    assert!(offset.trend.as_ref().unwrap().value < 5e-3);
+    let beyond = [HealthFindingKind::BeyondLimit];
+    assert_eq!(kinds(&report, HealthChannel::Offset), beyond);
+    let described = DescribedHealth::from(report);
+    let words = &described.words.groups[0].channels[HealthChannel::Offset as usize];
+    let TrendWords::Line { now, .. } = &words.trend else {
+        panic!("{words:?}");
+    };
+    assert!(now.starts_with("11.") || now.starts_with("12."), "{now}");
+    assert!(
+        words
+            .sentences
+            .iter()
+            .any(|text| text.contains("the newest 3 runs are at")),
+        "{:?}",
+        words.sentences
+    );
+    // A possible sudden change leaves too few runs for a line, but their value is known.
+    let report = report_on(&scattered(9, 14, |day, run| {
+        shift(&mut run.offset, if day < 8 { 0.0 } else { 7e-3 });
+    }));
+    assert!(assessed(&report, HealthChannel::Offset).trend.is_none());
+    assert!(kinds(&report, HealthChannel::Offset).contains(&HealthFindingKind::BeyondLimit));
+    // Two runs are not enough.
+    let report = report_on(&scattered(10, 24, |day, run| {
+        shift(&mut run.offset, if day < 22 { 0.0 } else { 12e-3 });
+    }));
+    assert!(!report.needs_attention, "{report:#?}");
 }
 
 #[test]

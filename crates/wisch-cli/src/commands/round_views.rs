@@ -63,11 +63,14 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             if round.verdict == Verdict::UnknowableByTouch {
                 let claim = Claim::assess(&round.interpretation.distribution, target);
                 // A camera sees dirt, but neither polish nor a coat.
-                let camera = match round.motion.task.treatment {
+                let more = match round.motion.task.treatment {
+                    Some(_) if claim.holds() => {
+                        "; too many points may have more passes than polish.max_passes"
+                    }
                     Some(_) => "",
                     None => "; needs a camera",
                 };
-                text += &format!(" ({claim}{camera})");
+                text += &format!(" ({claim}{more})");
             }
             let number = round.motion.number;
             let name = if number == 1 { "rounds" } else { "" };

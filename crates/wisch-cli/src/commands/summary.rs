@@ -4,6 +4,7 @@ use super::explain::{candidates, table};
 use super::round_views::rounds_in_words;
 use super::words::{counted, percent};
 use std::path::Path;
+use wisch::interpret::PerformanceDistribution;
 use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{Action, ParticleDistribution, Treatment, describe_weak_reaction};
 use wisch_io::{
@@ -112,6 +113,14 @@ fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSum
         .iter()
         .map(|places| treatment.share_above_limit(places));
     let above: Option<f64> = above.sum();
+    let interval = results.rounds.last().and_then(|last| {
+        let belief = &last.round.interpretation.belief;
+        let members = belief.members().iter().zip(belief.weights());
+        let shares =
+            members.map(|(places, weight)| Some((treatment.share_above_limit(places)?, *weight)));
+        let shares: Option<Vec<(f64, f64)>> = shares.collect();
+        Some(PerformanceDistribution::from_shares(shares?, 0.0).interval(0.9))
+    });
     let per_pass = task.depth_per_pass();
     Some(TreatmentSummary {
         mean_passes,
@@ -121,6 +130,7 @@ fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSum
             Treatment::Dispense { .. } => None,
         },
         share_above_max_passes: above.map(|above| above / count),
+        share_above_max_passes_interval: interval,
         mean_depth_m: per_pass.map(|per_pass| per_pass * mean_passes),
     })
 }
@@ -283,6 +293,7 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
         passes_deviation,
         max_passes,
         share_above_max_passes,
+        share_above_max_passes_interval,
         mean_depth_m,
     } = treatment;
     let mut passes =
@@ -292,6 +303,9 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
     {
         let above = percent(*above);
         passes += &format!("; more than the maximum of {most} on {above} of the points");
+        if let Some([low, high]) = share_above_max_passes_interval {
+            passes += &format!(" ({} to {})", percent(*low), percent(*high));
+        }
     }
     let mut lines = vec![("passes", passes)];
     if let Some(depth) = mean_depth_m {

@@ -341,6 +341,13 @@ fn verdict(
             let is_open = causes.is_empty();
             ("unknown", if is_open { claim } else { causes.join("; ") })
         }
+        Verdict::UnknowableByTouch if assessed == Verdict::GoalMet => {
+            let reason = format!(
+                "{claim}; it is unknown whether more points have more passes than polish.max_passes than the target allows, {:.1} %",
+                100.0 * (1.0 - target)
+            );
+            ("unknown", reason)
+        }
         Verdict::UnknowableByTouch => ("unknown", claim),
         _ => ("not met", claim),
     }

@@ -75,6 +75,8 @@ pub struct TreatmentSummary {
     pub max_passes: Option<u32>,
     /// Share of the points polished more often than that; null without a limit.
     pub share_above_max_passes: Option<f64>,
+    /// Its 90 % interval; null without a limit, and for a prediction.
+    pub share_above_max_passes_interval: Option<[f64; 2]>,
     /// Mean removed or dispensed thickness; null without a coefficient of Preston's law.
     pub mean_depth_m: Option<f64>,
 }

@@ -7,7 +7,7 @@ use super::group::{FirstRound, RunGroup};
 use super::median::median;
 use super::report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
-    HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
+    HealthLimit, HealthReport, HealthTrend, NewestRuns, RunsToLimit, SuddenChange, find_passed,
 };
 use super::slope::RobustLine;
 use wisch::interpret::EventConfig;
@@ -18,6 +18,11 @@ pub const FEWEST_EPISODES: usize = 7;
 pub const FALSE_ALARM_RATE: f64 = 0.01;
 /// Number of runs during which a sudden change needs attention; afterwards, the values since then count as usual.
 pub const NEW_CHANGE_RUNS: usize = 10;
+
+/// Number of the newest runs whose mean is compared with the limits, without regard to earlier runs.
+const NEWEST: usize = 3;
+/// Quantiles of Student's distribution with two, three, … degrees of freedom that leave 2.5 % above them.
+const STUDENT: [f64; 5] = [4.302_653, 3.182_446, 2.776_445, 2.570_582, 2.446_912];
 
 /// Least number of episodes with a test for a sudden change: four on either side.
 const FEWEST_WITH_CHANGE: usize = 8;
@@ -232,13 +237,38 @@ impl<'a> ChannelSeries<'a> {
             .line
             .as_ref()
             .map(|line| self.trend(line, (next(), tests), &limits));
-        let findings = self.findings(group, change.as_ref(), trend.as_ref(), &limits);
+        let newest = self.newest();
+        let courses = (change.as_ref(), trend.as_ref(), &newest);
+        let findings = self.findings(group, courses, &limits);
         ChannelAssessment {
             change,
             runs_since: self.runs_since,
             trend,
+            newest,
             limits,
             findings,
+        }
+    }
+
+    /// Returns the mean of the newest runs, or of all runs since a sudden change that are too few for a line. Its interval
+    /// respects the resolution of the channel.
+    #[allow(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
+    fn newest(&self) -> NewestRuns {
+        let runs = match self.line {
+            Some(_) => NEWEST,
+            None => (self.values.len() - self.since()).max(NEWEST),
+        };
+        let newest = &self.values[self.values.len().saturating_sub(runs)..];
+        let student = STUDENT[(newest.len().saturating_sub(NEWEST)).min(STUDENT.len() - 1)];
+        let count = newest.len() as f64;
+        let mean = newest.iter().sum::<f64>() / count;
+        let squares: f64 = newest.iter().map(|value| (value - mean).powi(2)).sum();
+        let deviation = (squares / (count - 1.0)).sqrt();
+        let error = student * deviation.max(self.channel.resolution()) / count.sqrt();
+        NewestRuns {
+            runs: newest.len(),
+            value: self.channel.unscaled(mean),
+            value_within: [mean - error, mean + error].map(|value| self.channel.unscaled(value)),
         }
     }
 
@@ -328,8 +358,7 @@ impl<'a> ChannelSeries<'a> {
     fn findings(
         &self,
         group: &RunGroup,
-        change: Option<&SuddenChange>,
-        trend: Option<&HealthTrend>,
+        (change, trend, newest): (Option<&SuddenChange>, Option<&HealthTrend>, &NewestRuns),
         limits: &[Option<HealthLimit>; 2],
     ) -> Vec<HealthFinding> {
         let mut findings = Vec::new();
@@ -352,18 +381,16 @@ impl<'a> ChannelSeries<'a> {
                 Some(self.since() - self.before),
             );
         }
-        let Some(trend) = trend else {
-            return findings;
-        };
-        if trend.is_drift && !self.improves(trend, group.press_force_n) {
+        if let Some(trend) = trend
+            && trend.is_drift
+            && !self.improves(trend, group.press_force_n)
+        {
             add(HealthFindingKind::Drift, trend.per_run, self.since(), None);
         }
-        let [low, high] = trend.value_within;
-        let [least, most] = limits;
-        if least.as_ref().is_some_and(|limit| high < limit.value) {
-            add(HealthFindingKind::BeyondLimit, -1.0, 0, None);
-        } else if most.as_ref().is_some_and(|limit| low > limit.value) {
-            add(HealthFindingKind::BeyondLimit, 1.0, 0, None);
+        let by_trend = trend.and_then(|trend| find_passed(limits, trend.value_within));
+        if let Some((_, is_upper)) = by_trend.or_else(|| find_passed(limits, newest.value_within)) {
+            let by = if is_upper { 1.0 } else { -1.0 };
+            add(HealthFindingKind::BeyondLimit, by, 0, None);
         }
         findings
     }

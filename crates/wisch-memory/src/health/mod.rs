@@ -27,7 +27,7 @@ pub use channel::HealthChannel;
 pub use group::{FirstRun, RunGroup, RunSource, gather_groups, group_runs};
 pub use report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
-    HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
+    HealthLimit, HealthReport, HealthTrend, NewestRuns, RunsToLimit, SuddenChange,
 };
 pub use words::{ChannelWords, DescribedHealth, GroupWords, HealthWords, TrendWords};
 

@@ -90,6 +90,8 @@ pub struct ChannelAssessment {
     pub runs_since: usize,
     /// The course since then; `None` if too few runs follow the change.
     pub trend: Option<HealthTrend>,
+    /// The newest runs, which may differ from the course.
+    pub newest: NewestRuns,
     /// Lower and upper limit; `None` for a side without a limit.
     pub limits: [Option<HealthLimit>; 2],
     /// Findings that need attention; empty without any.
@@ -136,6 +138,17 @@ pub struct HealthTrend {
     pub runs_to_limit: Option<RunsToLimit>,
 }
 
+/// The newest runs that record a channel, without regard to earlier ones.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NewestRuns {
+    /// Number of these runs.
+    pub runs: usize,
+    /// Their mean, in the unit of the channel; for a stiffness, the geometric mean.
+    pub value: f64,
+    /// Its 95 % interval.
+    pub value_within: [f64; 2],
+}
+
 /// A limit of a channel, beyond which it needs attention, with the reason.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct HealthLimit {
@@ -143,6 +156,26 @@ pub struct HealthLimit {
     pub value: f64,
     /// The reason why this value is a limit, in words.
     pub meaning: &'static str,
+}
+
+impl ChannelAssessment {
+    /// Whether the newest runs contradict the course: their intervals have no value in common.
+    pub(super) fn is_off_trend(&self, trend: &HealthTrend) -> bool {
+        let ([low, high], [least, most]) = (self.newest.value_within, trend.value_within);
+        low > most || high < least
+    }
+}
+
+/// Returns the limit beyond which all values of an interval lie, and whether it is the upper one.
+pub(super) fn find_passed(
+    [least, most]: &[Option<HealthLimit>; 2],
+    [low, high]: [f64; 2],
+) -> Option<(&HealthLimit, bool)> {
+    let below = least.as_ref().filter(|limit| high < limit.value);
+    let above = most.as_ref().filter(|limit| low > limit.value);
+    below
+        .map(|limit| (limit, false))
+        .or(above.map(|limit| (limit, true)))
 }
 
 /// The number of further runs until a drifting channel reaches its limit.

@@ -4,7 +4,7 @@ use super::assess::{FALSE_ALARM_RATE, FEWEST_EPISODES};
 use super::channel::HealthChannel;
 use super::report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
-    HealthLimit, HealthReport, HealthTrend, RunsToLimit, SuddenChange,
+    HealthLimit, HealthReport, HealthTrend, NewestRuns, RunsToLimit, SuddenChange, find_passed,
 };
 use crate::id::local_date_and_time;
 use serde::Serialize;
@@ -196,7 +196,11 @@ impl ChannelWords {
         let unit = DisplayUnit::of(health.channel);
         let trend = match &assessment.trend {
             Some(trend) => TrendWords::Line {
-                now: unit.value(trend.value),
+                now: unit.value(if assessment.is_off_trend(trend) {
+                    assessment.newest.value
+                } else {
+                    trend.value
+                }),
                 per_run: unit.slope(trend),
                 p: p_text(trend.p_adjusted),
             },
@@ -234,18 +238,31 @@ fn sentences_on(assessment: &ChannelAssessment, unit: DisplayUnit) -> Vec<String
         let finding = found(HealthFindingKind::Drift);
         sentences.push(drift_in_words(trend, &assessment.limits, unit, finding));
     }
-    if let (Some(finding), Some(trend)) = (found(HealthFindingKind::BeyondLimit), &assessment.trend)
-    {
-        let [low, high] = trend.value_within;
-        let [least, most] = &assessment.limits;
-        let below = least.as_ref().filter(|limit| high < limit.value);
-        let above = most.as_ref().filter(|limit| low > limit.value);
-        if let Some(limit) = below.or(above) {
+    let (newest, trend) = (&assessment.newest, assessment.trend.as_ref());
+    let finding = found(HealthFindingKind::BeyondLimit);
+    if let Some(trend) = trend.filter(|trend| assessment.is_off_trend(trend)) {
+        let line = unit.value(trend.value);
+        let newest = newest_in_words(newest, unit);
+        sentences.push(format!("{newest}, off the line, which ends at {line}"));
+    } else if trend.is_none() && finding.is_some() {
+        sentences.push(newest_in_words(newest, unit));
+    }
+    if let Some(finding) = finding {
+        let limits = &assessment.limits;
+        let by_trend = trend.and_then(|trend| find_passed(limits, trend.value_within));
+        let passed = by_trend.or_else(|| find_passed(limits, newest.value_within));
+        if let Some((limit, _)) = passed {
             let limit = limit_in_words(limit, unit);
             sentences.push(format!("beyond {limit}: {}", finding.advice));
         }
     }
     sentences
+}
+
+fn newest_in_words(newest: &NewestRuns, unit: DisplayUnit) -> String {
+    let [low, high] = newest.value_within.map(|value| unit.value(value));
+    let (runs, value) = (newest.runs, unit.value(newest.value));
+    format!("the newest {runs} runs are at {value} ({low} to {high})")
 }
 
 /// Returns the findings of a channel in a few words.

@@ -203,6 +203,9 @@ fn describe_verdict(round: &Round, target: f64) -> String {
         Verdict::Undecidable => {
             "It is unknown whether the goal is met: the log does not allow an estimate.".to_owned()
         }
+        Verdict::UnknowableByTouch if task.treatment.is_some() && claim.holds() => format!(
+            "It is unknown whether the goal is met: {claim}, but too many points may have more passes than the task allows."
+        ),
         Verdict::UnknowableByTouch if task.treatment.is_some() => format!(
             "It is unknown whether the goal is met ({claim}), and another round would not change this."
         ),

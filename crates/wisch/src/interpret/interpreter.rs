@@ -196,12 +196,7 @@ impl Interpreter {
                 *matters = replay.difference_by_scale(&belief, goal);
             }
         }
-        let is_unscaled = |doubt: &Doubt| !matches!(doubt, Doubt::PressForceDiffers { .. });
-        if analysis
-            .doubts
-            .iter()
-            .any(|doubt| doubt.is_decisive() && is_unscaled(doubt))
-        {
+        if analysis.doubts.iter().any(is_misreading) {
             // Absorbed dirt and dirt off the surface do not return, even if the log does not show
             // all contacts.
             let least = if matches!(goal, GoalState::Absorbed | GoalState::Skimmed) {
@@ -438,8 +433,8 @@ impl Interpreter {
             };
             doubts.insert(place, doubt);
         }
-        let may_be_misread = classified.plane.is_none() && config.gap_m == 0.0;
-        let is_low = may_be_misread.then(|| evidence.is_low());
+        let may_be_misread = classified.plane.is_none() || doubts.iter().any(is_misreading);
+        let is_low = (may_be_misread && config.gap_m == 0.0).then(|| evidence.is_low());
         leave_out_false_pushes(&mut events, &doubts, pieces, &reading);
         if self.config.gap_m > 0.0 {
             // A hovering tool has no contact that could begin or be lost.
@@ -621,7 +616,8 @@ struct LogAnalysis {
     stiffness: Option<MeasuredStiffness>,
     /// Stiffness of the tool that the heights of the contacts show, if it is not the declared one.
     found_stiffness: Option<ToolStiffness>,
-    /// Pieces at which the tool was low enough to touch, if no contact was found; empty otherwise.
+    /// Pieces at which the tool was low enough to touch, if no contact was found or the log may be misread; empty
+    /// otherwise.
     is_low: Vec<bool>,
 }
 
@@ -650,7 +646,7 @@ impl LogAnalysis {
             self.believed_from_real.inverse(),
             &self.config,
         )
-        .or_low(&self.is_low)
+        .or_low(&self.is_low, self.classified.plane.is_some())
         .with_leveled_heights(self.counts_lean)
     }
 }
@@ -729,6 +725,12 @@ pub fn interpret<'a>(
         interpreter.push(sample)?;
     }
     interpreter.conclude(believed, goal)
+}
+
+/// Whether a doubt leaves open what the tool touched. Members of the belief that differ in the scale of the force already
+/// cover a doubtful press force.
+fn is_misreading(doubt: &Doubt) -> bool {
+    doubt.is_decisive() && !matches!(doubt, Doubt::PressForceDiffers { .. })
 }
 
 /// Removes the pushes that another surface or a lasting change of the bias explains.

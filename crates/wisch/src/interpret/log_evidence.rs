@@ -195,8 +195,15 @@ impl LogEvidence<'_> {
         })
     }
 
-    /// Marks the pieces at which the tool was low enough to touch, for the case that its force is misread.
+    /// Marks the pieces at which the tool was low enough to touch, for the case that its force or the shape of the surface
+    /// is misread.
     pub(super) fn is_low(&self) -> Vec<bool> {
+        if self.classified.plane.is_some() {
+            let is_low = |piece: &PathPiece| {
+                piece.height.abs() <= NEAR || piece.normalized_force >= PRESSING
+            };
+            return self.classified.path.iter().map(is_low).collect();
+        }
         let lowest = (self.reading.lowest.as_ref()).filter(|plane| plane.height.abs() <= NEAR);
         let is_low = |piece: &MeasuredPiece| match lowest {
             Some(plane) => {

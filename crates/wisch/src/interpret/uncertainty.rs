@@ -50,8 +50,9 @@ pub struct Uncertainty {
     /// Share of the members that explain a press force other than the declared one by the scale of the sensor or of the
     /// declaration \[1\]; the remaining ones take the force as measured.
     pub rescaled_share: f64,
-    /// Share of the members that take a log without contact for misread, although the tool was near the surface \[1\]: in
-    /// these members the tool touched wherever it was low.
+    /// Share of the members that take a log for misread \[1\], if it shows no contact although the tool was near the surface,
+    /// or if a doubt about it is decisive. In these members the tool touched wherever it was low; in half of them, it
+    /// touched nothing if the log shows contact.
     pub misread_share: f64,
     /// Standard deviation of a performance that the model does not explain \[1\].
     pub model_share: f64,

@@ -165,8 +165,8 @@ pub fn assess_log(interpretation: &Interpretation, target: f64) -> Verdict {
     }
 }
 
-/// Whether the share of points that are believed to be polished more often than the task allows
-/// exceeds 1 − `target`. Then the goal is not met, and further passes cannot change that.
+/// Whether the expected share of points that are polished more often than the task allows exceeds 1 − `target`. Then the
+/// goal is not shown to be met, and further passes cannot change that.
 pub fn exceeds_max_passes(task: &Task, belief: &Belief, target: f64) -> bool {
     let weights = belief.weights().iter().copied();
     (task.treatment)
@@ -192,21 +192,41 @@ pub fn find_excess_passes(
     (interpretation.is_conclusive() && probability >= CERTAIN).then_some(mean)
 }
 
-/// Returns `verdict`, but [`Verdict::NothingToGain`] if too many points are polished too often: instead of
-/// [`Verdict::GoalMet`] as [`exceeds_max_passes`] states, and instead of any other verdict that leaves the goal open
-/// if [`find_excess_passes`] states it, because further passes cannot change that.
+/// Whether too many points may be polished more often than the task allows, although the belief does not expect it: the
+/// share of these points is more than [`FALSE_CLAIM_MARGIN`] above 1 − `target` with a probability above
+/// [`MAX_FALSE_CLAIM_PROBABILITY`]. So it is after a round whose effect is unknown.
+pub fn may_exceed_max_passes(task: &Task, belief: &Belief, target: f64) -> bool {
+    let Some(polish) = task.treatment else {
+        return false;
+    };
+    let members = belief.members().iter().zip(belief.weights());
+    let far_above = members
+        .filter(|(places, _)| polish.exceeds_limit([(*places, 1.0)], target - FALSE_CLAIM_MARGIN));
+    far_above.map(|(_, weight)| weight).sum::<f64>() > MAX_FALSE_CLAIM_PROBABILITY
+}
+
+/// Returns `verdict`, limited by the number of passes over each point, which further rounds cannot lower.
+///
+/// If too many points are certainly polished too often, as [`find_excess_passes`] states, it is
+/// [`Verdict::NothingToGain`] instead of any verdict that leaves the goal open or calls it met. If this is only expected
+/// ([`exceeds_max_passes`]) or possible ([`may_exceed_max_passes`]), it is [`Verdict::UnknowableByTouch`] instead of
+/// [`Verdict::GoalMet`].
 pub fn limit_by_max_passes(
     verdict: Verdict,
     task: &Task,
     interpretation: &Interpretation,
     target: f64,
 ) -> Verdict {
+    let belief = &interpretation.belief;
     match verdict {
-        Verdict::GoalMet if exceeds_max_passes(task, &interpretation.belief, target) => {
-            Verdict::NothingToGain
-        }
-        Verdict::GoalMet | Verdict::NoWay | Verdict::UnsafeMotion => verdict,
+        Verdict::NoWay | Verdict::UnsafeMotion => verdict,
         _ if find_excess_passes(task, interpretation, target).is_some() => Verdict::NothingToGain,
+        Verdict::GoalMet
+            if exceeds_max_passes(task, belief, target)
+                || may_exceed_max_passes(task, belief, target) =>
+        {
+            Verdict::UnknowableByTouch
+        }
         _ => verdict,
     }
 }
@@ -309,7 +329,7 @@ impl TerminationPolicy {
             };
         }
         self.is_first = false;
-        let is_shown = is_seen || (is_told && !is_disturbed);
+        let is_shown = is_told && (is_seen || !is_disturbed);
         if is_shown && is_claimable(&interpretation.distribution, self.target) {
             return if is_seen || !is_hovering {
                 Verdict::GoalMet
@@ -568,6 +588,19 @@ mod tests {
             assert_eq!(ended, Verdict::NothingToGain);
             let share = find_excess_passes(&task, estimated, 0.9);
             assert_eq!(share, Some(0.2));
+        }
+        // After a round whose effect is unknown, one of four worlds has too many passes.
+        let fine = ParticleDistribution::with_fates(&[at(1.0); 5]).unwrap();
+        let many = ParticleDistribution::with_fates(&[at(4.0); 5]).unwrap();
+        let open = Interpretation {
+            belief: Belief::from_members(vec![fine.clone(), fine.clone(), fine, many]).unwrap(),
+            ..reaching.clone()
+        };
+        for target in [0.6, 0.8] {
+            assert_eq!(
+                limit_by_max_passes(Verdict::GoalMet, &task, &open, target),
+                Verdict::UnknowableByTouch
+            );
         }
         // A log that shows nothing does not show too many passes either.
         let doubtful = Interpretation {

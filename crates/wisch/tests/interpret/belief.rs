@@ -1,12 +1,13 @@
 //! The belief before the first measurement, and its updates by observations.
 
 use super::interpreted_with;
-use super::log::{STEEP, Script, task};
+use super::log::{PRESS, STEEP, Script, task};
 use wisch::geometry::{Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::interpret::{
     Belief, DirtPrior, Doubt, InterpretConfig, Interpreter, ObservationUpdate, TouchSample,
     interpret,
 };
+use wisch::recover::is_claimable;
 use wisch::represent::{
     Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel, Sight,
     Task,
@@ -280,6 +281,62 @@ fn the_first_observation_does_not_prove_that_the_camera_detects_dirt() {
     assert!(unseen.low < 0.7 && clean.low > 0.8, "{unseen:?} {clean:?}");
 }
 
+/// The tool wipes the right half of the board only, and places and number of the dirt are unknown.
+#[test]
+fn a_first_observation_of_fewer_grains_than_expected_proves_nothing() {
+    let task = task(60, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 400);
+    let upward = |x: f64| [Point2::new(x, -0.09), Point2::new(x, 0.09)];
+    let script = Script {
+        strokes: [0.03, 0.08, 0.13].map(upward).to_vec(),
+        ..Script::default()
+    };
+    let samples = script.samples(&task);
+    let places: Vec<Point2> = task.particles.remaining().collect();
+    let first = |count: usize| Observation {
+        detections: places[..count].to_vec(),
+        hidden: Region::default(),
+    };
+    let after = |belief: &Belief, count: usize| {
+        let mut felt = interpret(&samples, &task, belief, &goal, &config).unwrap();
+        let seen = Observation {
+            detections: (0..count)
+                .map(|i| Point2::new(-0.15, -0.1 + 0.004 * i as f64))
+                .collect(),
+            hidden: Region::default(),
+        };
+        felt.observe(&update(&task, &goal, &seen));
+        let is_doubted =
+            (felt.doubts.iter()).any(|doubt| matches!(doubt, Doubt::ObservationContradicts { .. }));
+        (felt, is_doubted)
+    };
+    for count in 0..5 {
+        let (felt, is_doubted) = after(&belief, count);
+        let [found, by_touch] = [felt.performance, felt.by_touch];
+        assert!(is_doubted, "{count}: {found:?}");
+        assert!(
+            found.low < 0.5 * (by_touch.low + by_touch.mean),
+            "{count}: {found:?} {by_touch:?}"
+        );
+        assert!(
+            !is_claimable(&felt.distribution, 0.85),
+            "{count}: {found:?}"
+        );
+    }
+    let (felt, is_doubted) = after(&belief, 27);
+    let found = felt.performance;
+    assert!(
+        !is_doubted && found.low > 0.2 && found.high < 0.7,
+        "{found:?}"
+    );
+    // An earlier observation shows that the camera detects dirt, and how much there was.
+    let seen_before = belief.observe(&update(&task, &goal, &first(60)));
+    let (_, is_doubted) = after(&seen_before, 27);
+    assert!(!is_doubted);
+}
+
 #[test]
 fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
     for goal in [GoalState::Absorbed, GoalState::Skimmed] {
@@ -288,9 +345,7 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         let here = ParticleDistribution::new(&places(60, 0.1)).unwrap();
         let belief = Belief::from_members(vec![here; 64]).unwrap();
         let mut interpreter = Interpreter::new(&task, &config).unwrap();
-        for k in 0..500 {
-            let world_from_tool = Pose::translation(1e-3 * f64::from(k) - 0.25, 0.0, 0.05);
-            let sample = TouchSample::new(0.01 * f64::from(k), world_from_tool, Vector3::zeros());
+        for sample in hovering() {
             interpreter.push(&sample).unwrap();
         }
         let hovered = interpreter.conclude(&belief, &goal).unwrap();
@@ -312,6 +367,78 @@ fn an_observation_without_dirt_that_no_contact_explains_decides_nothing() {
         assert!(explained.is_conclusive(), "{goal:?}");
         assert!(explained.performance.high < 0.2, "{goal:?}");
     }
+}
+
+/// Over the right half of the board the tool hovers in its own softness, with hardly any force.
+#[test]
+fn dirt_that_was_hardly_touched_does_not_vanish() {
+    let task = task(60, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let script = Script {
+        press: |place| if place.x > 0.0 { 0.6 } else { PRESS },
+        ..Script::default()
+    };
+    let grains: Vec<Point2> = task.particles.remaining().collect();
+    let before = Observation {
+        detections: grains.clone(),
+        hidden: Region::default(),
+    };
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 200);
+    let belief = belief.observe(&update(&task, &goal, &before));
+    let mut felt = interpret(&script.samples(&task), &task, &belief, &goal, &config).unwrap();
+    let right = grains.iter().copied().filter(|place| place.x > 0.05);
+    let few = Observation {
+        detections: right.take(5).collect(),
+        hidden: Region::default(),
+    };
+    felt.observe(&update(&task, &goal, &few));
+    let [found, by_touch] = [felt.performance, felt.by_touch];
+    assert!(found.low < by_touch.mean, "{found:?} {by_touch:?}");
+    assert!(!is_claimable(&felt.distribution, 0.85), "{found:?}");
+}
+
+/// A camera sees the same grains before and after a log in which the tool hovers.
+#[test]
+fn a_log_without_contact_after_others_leaves_what_the_camera_sees() {
+    let task = task(80, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let grains: Vec<Point2> = task.particles.remaining().take(60).collect();
+    let seen = |count: usize| Observation {
+        detections: grains[..count].to_vec(),
+        hidden: Region::default(),
+    };
+    let belief = DirtPrior::Anywhere { count: 60 }.belief(&task, 200);
+    let belief = belief.observe(&update(&task, &goal, &seen(60)));
+    let mut wiped = interpreted_from(&belief, &task, &config);
+    wiped.observe(&update(&task, &goal, &seen(14)));
+    let mut interpreter = Interpreter::new(&task, &config).unwrap();
+    for sample in hovering() {
+        interpreter.push(&sample).unwrap();
+    }
+    let mut hovered = interpreter.conclude(&wiped.belief, &goal).unwrap();
+    hovered.observe(&update(&task, &goal, &seen(14)));
+    let contradicts = |doubt: &Doubt| matches!(doubt, Doubt::ObservationContradicts { .. });
+    assert!(
+        !hovered.doubts.iter().any(contradicts),
+        "{:?}",
+        hovered.doubts
+    );
+    let [before, after] = [wiped, hovered].map(|found| found.performance);
+    assert!(
+        (after.mean - before.mean).abs() < 0.01,
+        "{before:?} {after:?}"
+    );
+    assert!(after.high < 0.8, "{after:?}");
+}
+
+/// Samples of a tool that hovers over the surface without any force.
+fn hovering() -> impl Iterator<Item = TouchSample> {
+    (0..500).map(|k| {
+        let world_from_tool = Pose::translation(1e-3 * f64::from(k) - 0.25, 0.0, 0.05);
+        TouchSample::new(0.01 * f64::from(k), world_from_tool, Vector3::zeros())
+    })
 }
 
 #[test]

@@ -4,9 +4,13 @@ use super::log::{DEPTH, PRESS, STEEP, Script, task};
 use super::{exact, interpreted_with};
 use wisch::geometry::{Point2, Pose, Vector3};
 use wisch::interpret::{
-    Belief, InterpretConfig, InterpretError, Interpretation, TouchSample, Uncertainty, interpret,
+    Belief, InterpretConfig, InterpretError, Interpretation, PerformanceDistribution, TouchSample,
+    Uncertainty, interpret,
 };
-use wisch::represent::{Fate, GoalState, LogNormal, ParticleDistribution, Surface, Task};
+use wisch::represent::{
+    Action, DirtArea, Fate, GoalState, LogNormal, OccupiedArea, ParticleDistribution, Surface,
+    Task, Treatment, surface_cells,
+};
 
 /// A law by which half of the particles respond at half the force.
 const HALF: LogNormal = LogNormal {
@@ -306,4 +310,89 @@ fn an_uncertainty_out_of_range_is_refused_by_name() {
         };
         assert_eq!(name, "uncertainty.grasp_turn");
     }
+}
+
+/// The tool slides over a bent plate that is believed to be flat, so it is unknown what the first log polished.
+#[test]
+fn passes_of_a_round_whose_effect_is_unknown_stay_unknown() {
+    let mut plate = task(1, STEEP);
+    plate.action = Action::Polish;
+    plate.treatment = Some(Treatment::Polish {
+        passes: 1,
+        max_passes: 2,
+        preston: None,
+    });
+    let area = DirtArea {
+        outline: &plate.surface.outline,
+        occupied: &OccupiedArea::default(),
+    };
+    plate.particles = surface_cells(area, 300).unwrap();
+    let goal = GoalState::Polished { passes: 1 };
+    let config = InterpretConfig::from_task(&plate);
+    let polished = |script: &Script, belief: &Belief| {
+        interpret(&script.samples(&plate), &plate, belief, &goal, &config).unwrap()
+    };
+    let mean_passes = |belief: &Belief| {
+        let members = belief.members().iter().zip(belief.weights());
+        let shares = members.map(|(places, weight)| (Treatment::spread(places)[0] / 10.0, *weight));
+        PerformanceDistribution::from_shares(shares, 0.0)
+            .interval(0.9)
+            .map(|share| 10.0 * share)
+    };
+    let before = Belief::from_particles(plate.particles.clone());
+    let flat = polished(&Script::default(), &before);
+    let [least, full] = mean_passes(&flat.belief);
+    assert!(flat.is_conclusive() && least > 0.8 * full, "{least} {full}");
+    let bent = Script {
+        surface: |place| -place.x * place.x / 1.2,
+        ..Script::default()
+    };
+    let unknown = polished(&bent, &before);
+    assert!(!unknown.is_conclusive(), "{:?}", unknown.doubts);
+    let [low, high] = mean_passes(&unknown.belief);
+    assert!(
+        low < 0.1 * full && high > 0.8 * full,
+        "{low} to {high} of {full}"
+    );
+    // A later round adds its own passes, and leaves those of the first one open.
+    let later = polished(&Script::default(), &unknown.belief);
+    let [low, high] = mean_passes(&later.belief);
+    assert!(later.is_conclusive());
+    assert!(
+        low < 1.2 * full && high > 1.7 * full,
+        "{low} to {high} of {full}"
+    );
+}
+
+/// The tool passes 12 mm over the board without any force, in several rounds. If the sensor is dead, it is dead in all.
+#[test]
+fn rounds_without_contact_do_not_add_up_to_certainty() {
+    let task = task(80, STEEP);
+    let mut belief = Belief::from_particles(task.particles.clone());
+    let mut means = Vec::new();
+    for seed in 0..6 {
+        let config = InterpretConfig {
+            seed,
+            ..InterpretConfig::from_task(&task)
+        };
+        let mut samples = Script::default().samples(&task);
+        let up = task.surface.world_from_surface.rotation * Vector3::z() * 0.012;
+        for sample in &mut samples {
+            sample.world_from_tool.translation.vector += up;
+            sample.force = Vector3::zeros();
+        }
+        let found = interpret(&samples, &task, &belief, &GoalState::Absorbed, &config).unwrap();
+        assert!(
+            !found.is_conclusive() && found.performance.low < 0.1,
+            "{seed}"
+        );
+        belief = found.belief;
+        means.push(
+            belief
+                .performance(&GoalState::Absorbed, &task.surface, 0.0)
+                .mean(),
+        );
+    }
+    assert!(means.iter().all(|mean| *mean < 0.65), "{means:?}");
+    assert!(means[5] > 0.2, "{means:?}");
 }

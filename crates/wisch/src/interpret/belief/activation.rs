@@ -11,6 +11,8 @@ const SAME_CONTACT: f64 = MAX_LENGTH;
 
 /// Level of a particle that slips past the tool; above every probability, so that it does not respond.
 const SLIPPED: f64 = 2.0;
+/// Probability of a response below which a touch cannot have moved a particle [1].
+const NEGLIGIBLE: f64 = 0.01;
 /// Key that separates the random numbers of slipping from those of the thresholds.
 const SLIPS: u64 = 0x736c_6970;
 
@@ -87,6 +89,8 @@ struct Threshold {
     kept: u32,
     /// Level, uniform in (0, 1); a particle at [`SLIPPED`] never responds.
     level: f64,
+    /// Largest probability of a response that it has met [1].
+    most: f64,
 }
 
 /// Threshold of a particle that was never touched.
@@ -95,6 +99,7 @@ const NEVER: Threshold = Threshold {
     draws: 0,
     kept: 0,
     level: 1.0,
+    most: 0.0,
 };
 
 impl Activation {
@@ -110,11 +115,11 @@ impl Activation {
         }
     }
 
-    /// Whether a particle was ever touched.
+    /// Whether a particle was ever touched with a force to which it may respond.
     pub(super) fn is_touched(&self, particle: usize) -> bool {
         self.thresholds
             .get(particle)
-            .is_none_or(|threshold| threshold.draws > 0)
+            .is_none_or(|threshold| threshold.most >= NEGLIGIBLE)
     }
 
     /// Begins another log in which the share `slip` of the particles slips past the tool [1]; every touch is a new
@@ -161,6 +166,7 @@ impl Activation {
             }
             threshold.draws += 1;
         }
+        threshold.most = threshold.most.max(probability);
         threshold.level <= probability
     }
 }

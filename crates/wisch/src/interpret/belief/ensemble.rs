@@ -35,6 +35,8 @@ pub struct Belief {
     stiffness: Option<StiffnessBelief>,
     /// Whether a camera has detected dirt in an earlier observation.
     pub(in crate::interpret) was_seen: bool,
+    /// Number of grains of each member on the surface before the last log; empty without a log since the last observation.
+    before: Vec<usize>,
 }
 
 /// Parameters and thresholds of a member.
@@ -53,6 +55,7 @@ impl Belief {
             states: Vec::new(),
             stiffness: None,
             was_seen: false,
+            before: Vec::new(),
         }
     }
 
@@ -76,12 +79,15 @@ impl Belief {
             states: Vec::new(),
             stiffness: None,
             was_seen: false,
+            before: Vec::new(),
         }
     }
 
-    /// Returns the belief after a log: its members with their states, weights and stiffness.
+    /// Returns the belief after a log: its members with their states, weights and stiffness. `before`: number of grains of
+    /// each member on the surface before the log.
     pub(super) fn continue_with(
         members: Vec<(ParticleDistribution, MemberState)>,
+        before: Vec<usize>,
         weights: Vec<f64>,
         stiffness: StiffnessBelief,
         was_seen: bool,
@@ -93,6 +99,7 @@ impl Belief {
             states,
             stiffness: Some(stiffness),
             was_seen,
+            before,
         }
     }
 
@@ -108,6 +115,13 @@ impl Belief {
             weights,
             ..self.clone()
         }
+    }
+
+    /// Number of a member's grains on the surface before the last log; all of its grains without a log since the last
+    /// observation.
+    pub(super) fn count_before(&self, member: usize) -> usize {
+        let all = || self.members[member].len();
+        self.before.get(member).copied().unwrap_or_else(all)
     }
 
     /// Belief about the tool's stiffness after the logs so far.
@@ -132,6 +146,7 @@ impl Belief {
                 .unwrap_or_default(),
             stiffness: self.stiffness,
             was_seen,
+            before: Vec::new(),
         }
     }
 
@@ -191,6 +206,7 @@ impl Belief {
                 .collect(),
             stiffness: self.stiffness,
             was_seen: self.was_seen,
+            before: Vec::new(),
         }
     }
 

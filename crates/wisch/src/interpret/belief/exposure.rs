@@ -106,7 +106,10 @@ impl Replay<'_> {
             let bounds = footprint.bounds();
             let on_bend = ToolOnBend::new(self.surface, &footprint, compression, &config);
             let mut clock = TravelClock::default();
-            for contact in evidence.motions(guess as u64, compression).iter() {
+            for contact in evidence
+                .motions(guess as u64, compression, parameters.misread)
+                .iter()
+            {
                 let contact = parameters.apply(contact, self.force_ratio);
                 let travel = clock.advance(&contact);
                 let on_bend = on_bend.as_ref();

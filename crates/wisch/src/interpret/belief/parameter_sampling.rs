@@ -15,6 +15,8 @@ const PLACES: u64 = 0x706c_6163_0000_0000;
 
 /// Key of the draw that decides how a member explains the scale of the force.
 const SCALES: u64 = 0x7363_616c_6573;
+/// Key of the draw that selects the members in which doubtful logs count as misread.
+const MISREAD: u64 = 0x6d69_7372_6561_6421;
 
 /// Factor by which the parameters of an outlier deviate more [1].
 const OUTLIER: f64 = 3.0;
@@ -38,6 +40,11 @@ pub(super) struct MemberParameters {
     pub(super) redraw_length: f64,
     /// Whether each particle keeps its threshold instead of drawing a new one.
     pub(super) is_kept: bool,
+    /// Draw from 0 to 1 that decides whether logs are misread in this member [1]: a sensor that is dead in one log is dead
+    /// in all.
+    pub(super) misread: f64,
+    /// Whether the member explains a press force other than the declared one by the scale of the force.
+    is_rescaled: bool,
 }
 
 impl MemberParameters {
@@ -71,12 +78,24 @@ impl MemberParameters {
             },
             redraw_length: config.redraw_length_m * libm::exp(length * uncertainty.redraw_share),
             is_kept,
+            misread: keyed_uniform(config.seed ^ MISREAD, member, 0),
+            is_rescaled: keyed_uniform(config.seed ^ SCALES, member, 0)
+                < uncertainty.rescaled_share,
         }
     }
 
     /// Compression of the tool at nominal force [m], given the current belief about its stiffness.
     pub(super) fn compression(&self, config: &InterpretConfig, believed: StiffnessBelief) -> f64 {
         config.nominal_compression() / believed.scale(self.stiffness)
+    }
+
+    /// Returns the factor on f′ if the tool pressed with `ratio` times the declared force [1].
+    ///
+    /// The log does not distinguish two causes. In the first, the tool really pressed with this force.
+    /// In the second, the sensor or the task has another scale, and the tool pressed with the declared
+    /// force. Each member assumes one of them, in all logs.
+    pub(super) fn force_factor(&self, ratio: f64) -> f64 {
+        if self.is_rescaled { 1.0 } else { ratio }
     }
 
     /// Returns the motion of the tool as the member grasps it, with the force scaled by `force_factor`.
@@ -117,17 +136,6 @@ pub(super) fn scatter(
         .collect();
     // The shifted places are finite, as they lie on the surface.
     ParticleDistribution::with_fates(&places).unwrap_or_else(|_| particles.clone())
-}
-
-/// Returns the factor on f′ in a member if the tool pressed with `ratio` times the declared force [1].
-///
-/// The log does not distinguish two causes. In the first, the tool really pressed with this force.
-/// In the second, the sensor or the task has another scale, and the tool pressed with the declared
-/// force. Each member assumes one of them.
-pub(super) fn force_factor(config: &InterpretConfig, ratio: f64, member: u64) -> f64 {
-    let is_rescaled =
-        keyed_uniform(config.seed ^ SCALES, member, 0) < config.uncertainty.rescaled_share;
-    if is_rescaled { 1.0 } else { ratio }
 }
 
 /// Returns the share of pushed dirt that slips past the tool in a log, per draw of a threshold [1]. A heap leaks

@@ -12,7 +12,7 @@ use crate::interpret::contact::{
     ContactMotion, NormalizedForce, PathPiece, Touch, contact_motions,
 };
 use crate::interpret::events::Event;
-use crate::random::{keyed_uniform, normal};
+use crate::random::normal;
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::borrow::Cow;
@@ -24,8 +24,6 @@ const BEFORE: f64 = 0.05;
 const AFTER: f64 = 2.0;
 /// Random stream; separate from those of activation and parameters.
 const STREAM: u64 = 0x646f_7562_0000_0000;
-/// Key of the draw that selects the replays in which a log without contact counts as misread.
-const MISREAD: u64 = 0x6d69_7372_6561_6421;
 
 /// Contact motions of a log, and the pieces during which a person pushed the tool.
 #[derive(Debug)]
@@ -43,9 +41,10 @@ pub(in crate::interpret) struct ContactEvidence<'a> {
     stretches: Vec<Range<usize>>,
     /// Contact motions as classified by the force alone.
     certain: Vec<ContactMotion>,
-    /// Contact motions of a tool that touched wherever it was low, for a log without contact that may be misread; empty
-    /// otherwise.
+    /// Contact motions of a tool that touched wherever it was low, for a log that may be misread; empty otherwise.
     low: Vec<ContactMotion>,
+    /// Whether the tool may also have touched nothing, although the log shows contact.
+    may_hover: bool,
 }
 
 /// How one replay detects contact in a stretch. After the hand has let go, the force decides again.
@@ -84,6 +83,7 @@ impl<'a> ContactEvidence<'a> {
             stretches: stretches(path, events),
             certain: contact_motions(path, &real_from_believed, |i| share_by_force(&path[i])),
             low: Vec::new(),
+            may_hover: false,
             real_from_believed,
             config,
             is_leveled: false,
@@ -97,11 +97,12 @@ impl<'a> ContactEvidence<'a> {
         self
     }
 
-    /// Adds the alternative that the tool touched at the pieces that `is_low` marks; it is empty for a log with
-    /// contact.
+    /// Adds the alternatives to a log that may be misread: the tool touched at the pieces that `is_low` marks, or, if
+    /// `may_hover`, nothing. `is_low` is empty for a log whose contact is not in doubt.
     #[must_use]
-    pub(in crate::interpret) fn or_low(mut self, is_low: &[bool]) -> Self {
+    pub(in crate::interpret) fn or_low(mut self, is_low: &[bool], may_hover: bool) -> Self {
         if !is_low.is_empty() {
+            self.may_hover = may_hover;
             let force = |i: usize| {
                 if is_low[i] {
                     NormalizedForce::Mean(1.0)
@@ -119,16 +120,22 @@ impl<'a> ContactEvidence<'a> {
         self.certain.is_empty() && self.stretches.is_empty() && self.low.is_empty()
     }
 
-    /// Returns the contact motions in a replay; `compression` is that of the tool at nominal force in this replay [m].
+    /// Returns the contact motions in a replay; `compression` is that of the tool at nominal force in this replay [m], and
+    /// `misread` its draw from 0 to 1 that decides whether logs are misread in it.
     pub(in crate::interpret) fn motions(
         &self,
         replay: u64,
         compression: f64,
+        misread: f64,
     ) -> Cow<'_, [ContactMotion]> {
         if !self.low.is_empty() {
-            let is_misread = keyed_uniform(self.config.seed ^ MISREAD, replay, 0);
-            if is_misread < self.config.uncertainty.misread_share {
+            let share = self.config.uncertainty.misread_share;
+            let touched = if self.may_hover { 0.5 * share } else { share };
+            if misread < touched {
                 return Cow::Borrowed(&self.low);
+            }
+            if misread < share {
+                return Cow::Borrowed(&[]);
             }
         }
         if self.stretches.is_empty() {

@@ -6,7 +6,7 @@
 
 use super::activation::Activation;
 use super::ensemble::{Belief, MemberState};
-use super::parameter_sampling::{MemberParameters, force_factor, scatter, slip};
+use super::parameter_sampling::{MemberParameters, scatter, slip};
 use super::push_hypotheses::ContactEvidence;
 use crate::geometry::Region;
 use crate::interpret::config::InterpretConfig;
@@ -61,7 +61,7 @@ impl Replay<'_> {
                 None => self.first_state(dirt.len(), member as u64),
             };
             let compression = state.parameters.compression(self.config, self.stiffness);
-            let motions = &evidence.motions(member as u64, compression);
+            let motions = &evidence.motions(member as u64, compression, state.parameters.misread);
             // Members of an ensemble already differ in their places, and the places of a treated surface are exact.
             let is_scattered = believed.is_certain() && self.effect != Effect::Treat;
             let scattered = is_scattered.then(|| {
@@ -78,7 +78,7 @@ impl Replay<'_> {
                 Effect::Absorb | Effect::Treat => 0.0,
             };
             state.activation.begin_log(slip);
-            let factor = force_factor(self.config, self.force_ratio, member as u64);
+            let factor = state.parameters.force_factor(self.force_ratio);
             let after = self.replay_member(
                 scattered.as_ref().unwrap_or(dirt),
                 motions,
@@ -87,8 +87,10 @@ impl Replay<'_> {
             );
             (after, state)
         });
+        let remaining = |member: usize| before[member % before.len()].tally().remaining;
         Belief::continue_with(
             members.collect(),
+            (0..count).map(remaining).collect(),
             weights,
             self.stiffness,
             believed.was_seen,
@@ -104,8 +106,9 @@ impl Replay<'_> {
     ) -> f64 {
         // Weight and weighted performance, for each kind of member.
         let mut sums = [[0.0; 2]; 2];
-        for (member, (dirt, weight)) in belief.members().iter().zip(belief.weights()).enumerate() {
-            let factor = force_factor(self.config, self.force_ratio, member as u64);
+        let members = belief.members().iter().zip(belief.weights());
+        for ((dirt, weight), state) in members.zip(&belief.states) {
+            let factor = state.parameters.force_factor(self.force_ratio);
             let of_kind = &mut sums[usize::from(factor == self.force_ratio)];
             of_kind[0] += weight;
             of_kind[1] += weight * Performance::evaluate(dirt, goal, self.surface).ratio();

@@ -46,6 +46,8 @@ const FAR: f64 = 2.5;
 const HALVINGS: usize = 30;
 /// Share of the members below and above the range that describes them [1].
 const TAIL: f64 = 0.05;
+/// Probability of so few detections below which a camera that has shown no dirt before is in doubt [1].
+const UNLIKELY: f64 = 0.1;
 /// Radius over which the members' dirt gives the prior probability of dirt at a place [m].
 const NEIGHBOURHOOD: f64 = 0.02;
 /// Prior share of the dirt that lies where no member has any [1].
@@ -291,9 +293,9 @@ impl ObservationUpdate<'_> {
     }
 
     /// Returns a doubt if the number of observed grains contradicts the belief: hardly a member
-    /// explains the number, or it is far outside the range of all members. `was_felt`: whether the
-    /// log before the observation shows contact; without contact, all earlier dirt is still
-    /// expected.
+    /// explains the number, it is far outside the range of all members, or the first observation
+    /// shows fewer grains than this range. `was_felt`: whether the log before the observation shows
+    /// contact; without contact, all earlier dirt is still expected.
     pub(in crate::interpret) fn find_contradiction(
         &self,
         belief: &Belief,
@@ -313,15 +315,19 @@ impl ObservationUpdate<'_> {
             never.count() as f64
         };
         let seen = self.observation.detections.len();
-        let believed = self.expect(belief, &|member| belief.members()[member].len() as f64);
-        let left = if was_felt {
-            self.expect_visible(belief)
-        } else {
-            believed
-        };
+        let all = |member: usize| belief.count_before(member) as f64;
+        let visible = |member: usize| self.count_visible(&belief.members()[member]);
+        let count_left: &dyn Fn(usize) -> f64 = if was_felt { &visible } else { &all };
+        let believed = self.expect(belief, &all);
+        let left = self.expect(belief, count_left);
         let [least, most] = left;
         let is_more = seen as f64 > most + FAR * self.count_error(most);
-        let is_far = is_more || (seen as f64) < least - FAR * self.count_error(least);
+        let is_less = (seen as f64) < least - FAR * self.count_error(least);
+        // A camera that has shown no dirt before may miss more than its detection rate states.
+        let is_unproven_less = !belief.was_seen
+            && (seen as f64) < least
+            && self.probability_of_at_most(seen, belief, count_left) < UNLIKELY;
+        let is_far = is_more || is_less || is_unproven_less;
         let hidden_share = if is_more {
             self.hidden_share(belief)
         } else {
@@ -370,9 +376,29 @@ impl ObservationUpdate<'_> {
     /// Returns the range of the number of detections that a belief predicts from its visible dirt.
     fn expect_visible(&self, belief: &Belief) -> [f64; 2] {
         self.expect(belief, &|member| {
-            let remaining = belief.members()[member].remaining();
-            remaining.filter(|place| self.is_visible(*place)).count() as f64
+            self.count_visible(&belief.members()[member])
         })
+    }
+
+    /// Number of a member's grains that are on the surface and not occluded.
+    fn count_visible(&self, member: &ParticleDistribution) -> f64 {
+        let remaining = member.remaining();
+        remaining.filter(|place| self.is_visible(*place)).count() as f64
+    }
+
+    /// Returns the probability of at most `seen` detections [1]. `count`: number of grains by member.
+    fn probability_of_at_most(
+        &self,
+        seen: usize,
+        belief: &Belief,
+        count: &dyn Fn(usize) -> f64,
+    ) -> f64 {
+        let one = |(member, weight): (usize, &f64)| {
+            let expected = self.sight.detection * count(member) + self.false_alarms();
+            let score = (expected - seen as f64 - 0.5) / self.count_error(expected);
+            weight * 0.5 * libm::erfc(score * std::f64::consts::FRAC_1_SQRT_2)
+        };
+        belief.weights().iter().enumerate().map(one).sum()
     }
 
     /// Returns the range of the number of detections that the members predict (5 % and 95 %
