@@ -79,11 +79,14 @@ impl EventDetector<'_> {
             product += (height - mean[0]) * (force - mean[1]);
         }
         let rate = product / square;
+        // A hand that holds its force and lets go leaves a force that is constant over most of the way.
+        let [at_upper, at_lower] = [upper, lower].map(|end| mean[1] + rate * (end[0] - mean[0]));
         let off = pieces.map(|i| {
             let [height, force] = at(i);
             (force - mean[1] - rate * (height - mean[0])).powi(2)
         });
-        rate < 0.0 && (off.sum::<f64>() / count).sqrt() <= MOST_OFF * lower[1]
+        at_upper <= MOST_AT_END * at_lower
+            && (off.sum::<f64>() / count).sqrt() <= MOST_OFF * lower[1]
     }
 
     /// Whether the force of a candidate is that of the contact before it, which the sensor reports late while the tool rises. The
