@@ -401,10 +401,10 @@ fn meaning_cases() -> Vec<Case> {
             &["unknown medium \"crumbs\"", "nearest: breadcrumbs"],
         ),
         task(
-            "two goals",
+            "a goal with or",
             ACTION,
-            "goal = \"(and (collected breadcrumbs chopping_board))\"",
-            &["`and`", "not supported"],
+            "goal = \"(or (collected breadcrumbs chopping_board))\"",
+            &["`or`", "not supported"],
         ),
     ]
 }

@@ -274,10 +274,19 @@ fn a_sudden_change_is_no_drift_and_needs_attention_for_ten_runs() {
 
 #[test]
 fn newest_runs_beyond_a_limit_need_attention_whatever_the_line_says() {
-    // The tool loses contact beyond 5 mm. The line through all runs hides the newest three.
-    let report = report_on(&scattered(8, 24, |day, run| {
-        shift(&mut run.offset, if day < 21 { 0.0 } else { 12e-3 });
-    }));
+    // The offset alternates by 0.3 mm, and then rises. The tool loses contact beyond 5 mm.
+    let risen = |count: usize, last: usize, by: f64| {
+        let runs = (0..count).map(|day| {
+            let rise = if day + last < count { 0.0 } else { by };
+            Run {
+                offset: Some(rise + 3e-4 * ((day * 7 % 5) as f64 - 2.0) / 2.0),
+                ..Run::good(day)
+            }
+        });
+        report_on(&runs.collect::<Vec<_>>())
+    };
+    // The line through all runs hides the newest three.
+    let report = risen(12, 3, 12e-3);
     let offset = assessed(&report, HealthChannel::Offset);
     assert!(offset.trend.as_ref().unwrap().value < 5e-3);
     let beyond = [HealthFindingKind::BeyondLimit];
@@ -288,25 +297,18 @@ fn newest_runs_beyond_a_limit_need_attention_whatever_the_line_says() {
         panic!("{words:?}");
     };
     assert!(now.starts_with("11.") || now.starts_with("12."), "{now}");
+    let newest = "the newest 3 runs are at";
+    let sentences = &words.sentences;
     assert!(
-        words
-            .sentences
-            .iter()
-            .any(|text| text.contains("the newest 3 runs are at")),
-        "{:?}",
-        words.sentences
+        sentences.iter().any(|text| text.contains(newest)),
+        "{sentences:?}"
     );
-    // A possible sudden change leaves too few runs for a line, but their value is known.
-    let report = report_on(&scattered(9, 14, |day, run| {
-        shift(&mut run.offset, if day < 8 { 0.0 } else { 7e-3 });
-    }));
+    // A sudden change leaves too few runs for a line, but their value is known.
+    let report = risen(14, 6, 7e-3);
     assert!(assessed(&report, HealthChannel::Offset).trend.is_none());
     assert!(kinds(&report, HealthChannel::Offset).contains(&HealthFindingKind::BeyondLimit));
     // Two runs are not enough.
-    let report = report_on(&scattered(10, 24, |day, run| {
-        shift(&mut run.offset, if day < 22 { 0.0 } else { 12e-3 });
-    }));
-    assert!(!report.needs_attention, "{report:#?}");
+    assert!(!risen(12, 2, 12e-3).needs_attention);
 }
 
 #[test]

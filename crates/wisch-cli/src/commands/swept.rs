@@ -9,8 +9,19 @@ use wisch::represent::{GoalState, ParticleDistribution, ParticleError, Task};
 pub(super) struct SweptSurface {
     /// The plans of all rounds, each with its task.
     pub plans: Vec<(Task, Plan)>,
-    /// Dirt that lies on the surface after the last round, in the frame of the surface, estimated or else predicted [m].
-    pub left: Vec<Point2>,
+    /// Dirt that was collected, in the frame of the surface, estimated or else predicted [m].
+    pub collected: Vec<Point2>,
+}
+
+/// Returns the places of particles that lie where a goal collects them; none for other goals.
+pub(super) fn find_collected(particles: &ParticleDistribution, goal: GoalState) -> Vec<Point2> {
+    let GoalState::Collected { center, radius } = goal else {
+        return Vec::new();
+    };
+    let places = particles.remaining();
+    places
+        .filter(|place| (place - center).norm() <= radius)
+        .collect()
 }
 
 impl SweptSurface {

@@ -11,7 +11,7 @@ use super::prepare::{self, stage_failure};
 use super::ros2::raise;
 use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
-use super::swept::SweptSurface;
+use super::swept::{SweptSurface, find_collected};
 use super::watch::show;
 use super::words::{counted, internal};
 use crate::args::{GlobalArgs, LoopArgs, ResultArgs, RobotArgs, TaskArgs, suggest};
@@ -45,7 +45,7 @@ pub(super) struct SurfaceOutcome {
     pub summary: Summary,
     /// Whether the goal is met.
     pub is_met: bool,
-    /// Its strokes, and the dirt that it leaves.
+    /// Its strokes, and what it has collected.
     pub swept: SweptSurface,
     /// Whether the run waits for its operator, or was interrupted.
     pub is_stopped: bool,
@@ -161,7 +161,7 @@ pub(super) fn wipe_surface(
     })
 }
 
-/// Returns the strokes of the executed rounds, or else those of the plan if none was to be executed, and the dirt after them.
+/// Returns the strokes of the executed rounds, or else those of the plan if none was to be executed, and what was collected.
 fn find_swept(results: &RunResults, is_executed: bool) -> Result<SweptSurface, ParticleError> {
     let motions = results.rounds.iter().map(|done| &done.round.motion);
     let executed = motions.map(|motion| (motion.task.clone(), motion.executable_plan()));
@@ -170,13 +170,16 @@ fn find_swept(results: &RunResults, is_executed: bool) -> Result<SweptSurface, P
     } else {
         vec![(results.task.clone(), results.plan.clone())]
     };
-    let left = match (results.rounds.last(), &results.predicted) {
-        (Some(last), _) => last.round.interpretation.belief.sample(results.task.seed)?,
-        (None, Some((predicted, _))) if !is_executed => predicted.particles.clone(),
-        (None, _) => results.task.particles.clone(),
+    let goal = results.plan.graph.goal;
+    let collected = match (results.rounds.last(), &results.predicted) {
+        (Some(last), _) => {
+            let estimated = last.round.interpretation.belief.sample(results.task.seed)?;
+            find_collected(&estimated, goal)
+        }
+        (None, Some((predicted, _))) if !is_executed => find_collected(&predicted.particles, goal),
+        (None, _) => Vec::new(),
     };
-    let left = left.remaining().collect();
-    Ok(SweptSurface { plans, left })
+    Ok(SweptSurface { plans, collected })
 }
 
 /// States that nothing was wiped because the camera detects no dirt.

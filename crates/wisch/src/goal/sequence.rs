@@ -609,7 +609,7 @@ impl<'a> Situation<'a> {
         let on_surface = |fact: &&Vec<String>| part.arguments().contains(&fact[fact.len() - 1]);
         match sweeps.find(on_surface).map(Vec::as_slice) {
             Some([_, _, medium, collected, surface]) => format!(
-                "wiping {medium} on {surface} would pass over the {collected} that is collected there"
+                "wiping {medium} on {surface} would pass over the heap of {collected} there"
             ),
             _ => "no sequence of steps reaches it together with the parts before it".to_owned(),
         }

@@ -80,12 +80,15 @@ const BIAS_FORCE: f64 = 1.5;
 /// # };
 /// // A board with two crumbs, one of them in the path of a stroke with the task's 10 N.
 /// let mut interpreter = Interpreter::new(&task, &InterpretConfig::from_task(&task))?;
-/// for i in 0..2000 {
+/// // Before it, the tool comes down without force, which shows the bias of the sensor.
+/// for i in 0..3000 {
 ///     let time = f64::from(i) * 1e-3;
+///     let (x, height) = ((0.1 * time - 0.2).max(-0.1), (0.05 - 0.05 * time).max(0.0));
+///     let force = if height > 0.0 { 0.0 } else { 10.0 };
 ///     interpreter.push(&TouchSample {
 ///         time,
-///         world_from_tool: Pose::translation(0.1 * time - 0.1, 0.0, 0.0),
-///         force: Vector3::new(0.0, 0.0, 10.0),
+///         world_from_tool: Pose::translation(x, 0.0, height),
+///         force: Vector3::new(0.0, 0.0, force),
 ///     })?;
 /// }
 /// let believed = Belief::from_particles(task.particles.clone());

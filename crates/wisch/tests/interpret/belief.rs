@@ -312,7 +312,7 @@ fn a_first_observation_of_fewer_grains_than_expected_proves_nothing() {
             (felt.doubts.iter()).any(|doubt| matches!(doubt, Doubt::ObservationContradicts { .. }));
         (felt, is_doubted)
     };
-    for count in 0..5 {
+    for count in 0..12 {
         let (felt, is_doubted) = after(&belief, count);
         let [found, by_touch] = [felt.performance, felt.by_touch];
         assert!(is_doubted, "{count}: {found:?}");

@@ -165,6 +165,7 @@ impl<'a> GoalRun<'a> {
 
     /// Counts a try whose goal was not met, and rules actions out that are not to be tried again.
     fn note_failure(&mut self, wiping: &Wiping, has_moved: bool) {
+        let is_unknown = self.steps.last().is_some_and(TakenStep::is_unknown);
         let tried = self.tries.entry(wiping.clone()).or_default();
         *tried += 1;
         let tried = *tried;
@@ -192,8 +193,13 @@ impl<'a> GoalRun<'a> {
             "it is ruled out, with all tools, because a new step would not know what is left to wipe"
         };
         let tries = if tried == 1 { "try" } else { "tries" };
+        let missed = if is_unknown {
+            "is not known to have reached its goal"
+        } else {
+            "has not reached its goal"
+        };
         remark(&format!(
-            "{wiping} has not reached its goal after {tried} {tries}: {why}; the other steps are planned anew"
+            "{wiping} {missed} after {tried} {tries}: {why}; the other steps are planned anew"
         ));
     }
 
@@ -226,7 +232,7 @@ impl<'a> GoalRun<'a> {
                 (&other.medium, &other.surface) != (&wiping.medium, &wiping.surface)
             });
             self.heaps
-                .push((wiping.clone(), number, swept.left.clone()));
+                .push((wiping.clone(), number, swept.collected.clone()));
         }
         Ok(())
     }
@@ -364,7 +370,13 @@ impl<'a> GoalRun<'a> {
             match expected {
                 Expected::Impossible(why) if serves => Some(format!("{wiping}: {why}")),
                 _ if serves && self.tries.contains_key(wiping) => {
-                    Some(format!("{wiping}: its goal was not reached"))
+                    let is_it = |step: &&TakenStep| step.words == wiping.to_string();
+                    let last = self.steps.iter().rfind(is_it);
+                    Some(if last.is_some_and(TakenStep::is_unknown) {
+                        format!("{wiping}: it is unknown whether its goal was reached")
+                    } else {
+                        format!("{wiping}: its goal was not reached")
+                    })
                 }
                 _ => None,
             }

@@ -97,6 +97,11 @@ pub struct AssumedTimes {
 }
 
 impl TakenStep {
+    /// Whether it is a wiping step whose estimate leaves open whether its goal is met.
+    pub fn is_unknown(&self) -> bool {
+        (self.summary.as_ref()).is_some_and(|summary| is_unknown(summary, self.goal_met))
+    }
+
     /// Whether the step ended at a surface, and the name of the surface or tool.
     pub fn place(&self) -> (bool, String) {
         match &self.summary {
@@ -147,11 +152,16 @@ pub fn describe_sequence(sequence: &Sequence) -> String {
     text
 }
 
+fn is_unknown(summary: &Summary, is_met: Option<bool>) -> bool {
+    is_met != Some(true) && (summary.prediction).is_some_and(|found| found.goal == "unknown")
+}
+
 /// The performance of a wiping step, and whether its goal is met, if that is known.
 fn describe_result(summary: &Summary, is_met: Option<bool>) -> String {
     let performance = performance_of(summary);
     match is_met {
         Some(true) => format!("{performance}: met"),
+        _ if is_unknown(summary, is_met) => format!("{performance}: unknown whether it is met"),
         Some(false) => format!("{performance}: not met"),
         None => performance,
     }

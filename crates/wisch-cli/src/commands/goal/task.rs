@@ -2,7 +2,7 @@
 
 use super::super::follow::{Chosen, read_robot, workcell_config};
 use super::super::prepare::{load, stage_failure};
-use super::super::swept::SweptSurface;
+use super::super::swept::{SweptSurface, find_collected};
 use super::super::words::{internal, percent};
 use super::summary::{CHANGE, EMPTY, ExpectedAction, SPEED};
 use crate::args::{RobotArgs, TaskArgs};
@@ -47,7 +47,7 @@ pub struct GoalTask<'a> {
     targets: BTreeMap<Wiping, f64>,
     /// Actions whose dirt a camera observes.
     pub(super) observed: BTreeSet<Wiping>,
-    /// The strokes that are expected of the possible actions, and the dirt that they leave.
+    /// The strokes that are expected of the possible actions, and what they collect.
     swept: BTreeMap<Wiping, SweptSurface>,
 }
 
@@ -131,7 +131,7 @@ impl<'a> GoalTask<'a> {
                 let is_beside = collecting.action == Action::Collect
                     && other.surface == collecting.surface
                     && other.medium != collecting.medium;
-                if is_beside && self.is_spoiled(collecting, &heap.left, swept)? {
+                if is_beside && self.is_spoiled(collecting, &heap.collected, swept)? {
                     situation.note_sweep(other, &collecting.medium);
                 }
             }
@@ -345,8 +345,8 @@ fn expect_strokes(
         predicted,
     };
     let swept = SweptSurface {
+        collected: find_collected(&prediction.particles, plan.graph.goal),
         plans: vec![(loaded.task.clone(), plan)],
-        left: prediction.particles.remaining().collect(),
     };
     Ok((expected, swept))
 }
