@@ -531,3 +531,30 @@ fn a_scene_of_several_surfaces_stands_in_the_world() {
         "{err}"
     );
 }
+
+#[test]
+fn a_medium_may_state_its_interaction_without_the_name_of_a_tool() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let task = fs::read_to_string(folder.path().join("board.toml")).unwrap();
+    let rack = task.replace("in_hand = \"sponge\"", "rack = [{ name = \"sponge\" }]");
+    let own = "name = \"water\"\n interaction = { press_force_n = 8.0 }";
+    let task = rack.replace("name = \"water\"", own);
+    fs::write(folder.path().join("own.toml"), task).unwrap();
+    let (code, out, err) = wisch(folder.path(), &["check", "own.toml"]);
+    assert_eq!(code, 0, "{out}{err}");
+    let (code, summary, err) = summary_of(folder.path(), &["plan", "own.toml", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(steps(&summary)[0], "(grasp sponge)");
+}
+
+#[test]
+fn a_shipped_scenario_reads_a_file_whose_path_is_absolute() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("dirt.csv");
+    fs::write(&list, "x,y\n0.0,0.0\n0.01,0.02\n").unwrap();
+    let particles = format!("particles={{ source = \"csv\", file = {list:?} }}");
+    let args = ["check", "arm-board", "--set", &particles];
+    let (code, out, err) = wisch(folder.path(), &args);
+    assert_eq!(code, 0, "{out}{err}");
+}

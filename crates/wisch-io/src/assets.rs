@@ -214,14 +214,14 @@ fn shipped_file(scenario: &str, path: &str) -> Result<Vec<u8>, String> {
     let file = SCENARIOS.get_file(path);
     let missing = || {
         format!(
-            "{path}: the shipped scenarios have no such file. A shipped scenario reads no files from disk: write it into a folder with wisch scenarios {scenario} --out FOLDER, and use the task file there"
+            "{path}: the shipped scenarios have no such file. State its absolute path, or write the scenario into a folder with wisch scenarios {scenario} --out FOLDER, and use the task file there"
         )
     };
     Ok(file.ok_or_else(missing)?.contents().to_vec())
 }
 
-/// Returns a reader for the files of a task: their paths are relative to the task file's folder, or those of a shipped scenario
-/// if there is no such task file.
+/// Returns a reader for the files of a task: their paths are absolute, or relative to the task file's folder, or those of a
+/// shipped scenario if there is no such task file.
 pub fn read_beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, String> + use<> {
     let is_shipped = find_shipped(task_file).is_some() && !task_file.exists();
     let folder = task_file
@@ -229,7 +229,7 @@ pub fn read_beside(task_file: &Path) -> impl FnMut(&str) -> Result<Vec<u8>, Stri
         .map(Path::to_path_buf)
         .unwrap_or_default();
     let scenario = task_file.display().to_string();
-    move |path| match is_shipped {
+    move |path| match is_shipped && Path::new(path).is_relative() {
         true => shipped_file(&scenario, path),
         false => read(&folder.join(path)).map_err(|error| error.to_string()),
     }

@@ -290,9 +290,23 @@ fn nothing_lies_under_a_treatment_and_a_coat_goes_last() {
     // The brush can only collect.
     let sequence = plan("(and (polished polishing_paste table))", &media, &["brush"]);
     assert_eq!(sequence.steps, []);
+    let (domain, knowledge) = (domain(), knowledge(0));
+    let goal = CompoundGoal::parse("(and (polished polishing_paste table))").unwrap();
+    let mut situation =
+        Situation::new(&domain, &knowledge, &goal, &media, None, &["sponge"]).unwrap();
+    for wiping in situation.possible_wipings(&goal) {
+        if wiping.medium == "breadcrumbs" {
+            situation.rule_out(&wiping);
+        }
+    }
+    let left_out = situation.plan(&goal, StepPlace::Start, &Times::default());
+    let reason = &left_out.unwrap().left_out[0].1;
+    assert_eq!(
+        reason,
+        "polish needs (not (under breadcrumbs polishing_paste table))"
+    );
 
     let media = [on("paint", "table"), on("polishing_paste", "table")];
-    let (domain, knowledge) = (domain(), knowledge(0));
     let text = "(and (dispensed paint table) (polished polishing_paste table))";
     let goal = CompoundGoal::parse(text).unwrap();
     let tools = ["window_wiper", "sponge"];

@@ -58,8 +58,11 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
     let sequence = situation.plan(&file.goal, StepPlace::Start, &EqualTimes);
     let Sequence { steps, left_out } = sequence.map_err(failure)?;
     let wipings = steps.iter().filter_map(|step| step.wiping.as_ref());
-    let facts = wipings.filter_map(|wiping| situation.effect_of(wiping));
-    let parts: Vec<String> = facts.map(|fact| fact.to_string()).collect();
+    let parts = wipings.filter_map(|wiping| {
+        let fact = situation.effect_of(wiping)?;
+        Some((fact.to_string(), wiping.tool.clone()))
+    });
+    let parts: Vec<(String, String)> = parts.collect();
     if args.json {
         let problem = format!(
             "--json checks one part of the goal, but the goal has {}",
@@ -67,7 +70,7 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
         );
         let failure = stage_failure(&args.task, problem);
         return Err(match parts.first() {
-            Some(part) => failure.with_help(format!("choose the part: --set goal='{part}'")),
+            Some((part, _)) => failure.with_help(format!("choose the part: --set goal='{part}'")),
             None => failure,
         });
     }
@@ -78,12 +81,20 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
         }
         outcome = Outcome::GoalNotMet;
     }
-    for part in parts {
+    for (part, tool) in parts {
         if !global.quiet {
             print(&format!("{part}: "))?;
         }
         let mut args = args.clone();
-        args.task.settings.push(("goal".to_owned(), part));
+        let text = |text: String| serde_json::Value::from(text).to_string();
+        let of_step = [
+            ("goal", text(part)),
+            ("tool.name", text(tool.clone())),
+            ("tool.in_hand", text(tool)),
+            ("tool.available", "[]".to_owned()),
+        ];
+        let of_step = of_step.map(|(key, value)| (key.to_owned(), value));
+        args.task.settings.extend(of_step);
         if !matches!(check_task(&args, global)?, Outcome::Done) {
             outcome = Outcome::GoalNotMet;
         }

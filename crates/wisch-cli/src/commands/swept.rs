@@ -25,8 +25,11 @@ pub(super) fn find_collected(particles: &ParticleDistribution, goal: GoalState) 
 }
 
 impl SweptSurface {
-    /// Returns the share of points on the surface over which the tool passes [1].
+    /// Returns the share of points on the surface over which the tool passes [1]; 0 without points.
     pub fn share_covered(&self, points: &[Point2]) -> Result<f64, ParticleError> {
+        if points.is_empty() {
+            return Ok(0.0);
+        }
         let mut open = ParticleDistribution::new(points)?;
         for (task, plan) in &self.plans {
             let mut task = task.clone();
@@ -34,7 +37,7 @@ impl SweptSurface {
             open = take_up(&task, plan).particles;
         }
         let left = open.remaining().count();
-        Ok(1.0 - left as f64 / points.len().max(1) as f64)
+        Ok(1.0 - left as f64 / points.len() as f64)
     }
 }
 

@@ -371,8 +371,19 @@ impl<'a> Problem<'a> {
         Ok(unmet.into_iter().collect())
     }
 
-    /// Returns what initially keeps actions that lead to the goal from being carried out: facts that may not hold.
-    pub(super) fn list_obstacles(&self) -> Vec<String> {
+    /// Returns what keeps actions that lead to the goal from being carried out: facts that may not hold, and that no possible
+    /// action removes.
+    pub(super) fn list_obstacles(&self, costs: &dyn StepCosts) -> Result<Vec<String>, GoalError> {
+        let mut work = 0;
+        let reachable = self.reachable(Some(costs), &mut work)?;
+        let mut removed: BTreeSet<Fact<'a>> = BTreeSet::new();
+        for (schema, binding) in self.applicable(&reachable, &mut work)? {
+            let step = std::iter::once(schema.name.as_str()).chain(binding.iter().copied());
+            if costs.least(&step.collect::<Fact<'a>>()).is_some() {
+                let deleted = schema.effects.iter().filter(|effect| !effect.holds);
+                removed.extend(deleted.flat_map(|one| self.instances(one, schema, &binding)));
+            }
+        }
         let mut obstacles = BTreeSet::new();
         for (_, goal) in self.goal.iter().filter(|(holds, _)| *holds) {
             let schemas = self.domain.schemas.iter();
@@ -385,14 +396,17 @@ impl<'a> Problem<'a> {
                 let patterns =
                     excluded.flat_map(|literal| self.instances(literal, schema, &binding));
                 for pattern in patterns {
-                    let found = self.init.iter().filter(|fact| is_instance(fact, &pattern));
+                    let found = self
+                        .init
+                        .iter()
+                        .filter(|fact| is_instance(fact, &pattern) && !removed.contains(*fact));
                     obstacles.extend(
                         found.map(|fact| format!("{} needs (not {})", schema.name, text(fact))),
                     );
                 }
             }
         }
-        obstacles.into_iter().collect()
+        Ok(obstacles.into_iter().collect())
     }
 
     /// Binds parameters so that an effect equals the goal; the remaining parameters stay unbound.

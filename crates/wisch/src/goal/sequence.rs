@@ -563,7 +563,7 @@ impl<'a> Situation<'a> {
             } else {
                 let mut reasons = problem.unmet_preconditions()?;
                 if reasons.is_empty() {
-                    reasons = problem.list_obstacles();
+                    reasons = problem.list_obstacles(&costs)?;
                 }
                 let reason = if reasons.is_empty() {
                     "no wiping action that serves it can be carried out".to_owned()

@@ -9,11 +9,8 @@ use super::stance::root_pose;
 use super::{
     AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
     RobotSetup, RobotState, Round, RunConfig, RunError, RunEvent, RunWarning, WarningWatch,
-    ignore_events,
 };
-use crate::follow::{
-    Audit, FollowConfig, FollowError, MotionFault, Workcell, WorkcellConfig, audit, follow, retreat,
-};
+use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
 use crate::plan::{Plan, predict};
 use crate::recover::{
@@ -536,29 +533,26 @@ impl<'a> Session<'a> {
         plan: Plan,
         observer: &mut Observer<'_>,
     ) -> Result<PlannedRound, RunError> {
-        self.compute_motion_within(&self.config.follow, plan, observer)
-    }
-
-    /// Computes the same within the tolerances of a configuration.
-    fn compute_motion_within(
-        &self,
-        config: &FollowConfig,
-        plan: Plan,
-        observer: &mut Observer<'_>,
-    ) -> Result<PlannedRound, RunError> {
         let performer = self.performer.ok_or(RunError::NoRobot)?;
         let (task, round) = (&self.task, self.number());
         let cell = self.place_robot(performer)?;
         let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
-        let mut followed = follow(task, &plan, &cell, performer.map, config, &mut |passed| {
-            let _ = observer(&RunEvent::Following {
-                round,
-                passed,
-                nodes,
-            });
-        })?;
+        let mut followed = follow(
+            task,
+            &plan,
+            &cell,
+            performer.map,
+            &self.config.follow,
+            &mut |passed| {
+                let _ = observer(&RunEvent::Following {
+                    round,
+                    passed,
+                    nodes,
+                });
+            },
+        )?;
         if let (true, Some(from)) = (self.retreats, &self.stands) {
-            let height = plan.lift_height;
+            let (height, config) = (plan.lift_height, &self.config.follow);
             followed = followed.prepend(retreat(task, &cell, from, height, config)?);
         }
         let wiped = Plan {
@@ -584,56 +578,20 @@ impl<'a> Session<'a> {
         })
     }
 
-    /// Returns the motion of the same strokes within half of the tolerances about the tool's line, if a motion has no other
-    /// fault than that it leaves the line. Timing and audit measure this with methods of their own, which may differ a
-    /// little.
-    fn tighten_motion(
-        &self,
-        planned: &PlannedRound,
-        audited: &Audit,
-    ) -> Option<(PlannedRound, Audit)> {
-        let is_off_line = |fault: &MotionFault| matches!(fault, MotionFault::OffLine { .. });
-        if audited.faults.is_empty() || !audited.faults.iter().all(is_off_line) {
-            return None;
-        }
-        let config = FollowConfig {
-            line_tolerance: self.config.follow.line_tolerance / 2.0,
-            turn_tolerance: self.config.follow.turn_tolerance / 2.0,
-            ..self.config.follow.clone()
-        };
-        let plan = planned.plan.clone();
-        let tighter = self
-            .compute_motion_within(&config, plan, &mut ignore_events)
-            .ok()?;
+    /// Audits the motion; a motion with faults ends the session.
+    fn audit_round(
+        &mut self,
+        planned: Box<PlannedRound>,
+        observer: &mut Observer<'_>,
+    ) -> Result<Stage, RunError> {
         let PlannedRound {
+            number,
             task,
             cell,
             followed,
             ..
-        } = &tighter;
-        let audit = audit(followed, cell, task, &self.config.follow).ok()?;
-        let is_better = audit.faults.is_empty() && followed.strokes == planned.followed.strokes;
-        is_better.then_some((tighter, audit))
-    }
-
-    /// Audits the motion; a motion with faults ends the session.
-    fn audit_round(
-        &mut self,
-        mut planned: Box<PlannedRound>,
-        observer: &mut Observer<'_>,
-    ) -> Result<Stage, RunError> {
-        let mut audit = audit(
-            &planned.followed,
-            &planned.cell,
-            &planned.task,
-            &self.config.follow,
-        )?;
-        if let Some((tighter, its_audit)) = self.tighten_motion(&planned, &audit) {
-            (*planned, audit) = (tighter, its_audit);
-        }
-        let PlannedRound {
-            number, followed, ..
         } = &*planned;
+        let audit = audit(followed, cell, task, &self.config.follow)?;
         let _ = observer(&RunEvent::Audited {
             round: *number,
             audit: &audit,
