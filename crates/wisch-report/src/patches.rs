@@ -191,9 +191,9 @@ pub fn steps_page(title: &str, facts: &[(String, String)], steps: &[StepRow]) ->
                             }
                             td class="words" { (step.result) }
                             td {
-                                svg width="160" height="14" role="img" aria-label="when the step took place" {
-                                    rect class="bar" x=(px(160.0 * step.began / end)) y="3" height="8"
-                                        width=(px((160.0 * step.took / end).max(1.0))) {}
+                                svg width="100" height="14" role="img" aria-label="when the step took place" {
+                                    rect class="bar" x=(px(100.0 * step.began / end)) y="3" height="8"
+                                        width=(px((100.0 * step.took / end).max(1.0))) {}
                                 }
                             }
                             td { (format!("{:.1}", step.began)) } td { (format!("{:.1}", step.took)) }

@@ -59,7 +59,7 @@ impl Extent<'_> {
     }
 
     /// Returns the arguments of the task, without a camera if the options say so.
-    pub fn restrict_senses(&self, args: &TaskArgs) -> TaskArgs {
+    pub fn apply_touch_only(&self, args: &TaskArgs) -> TaskArgs {
         match self.rounds() {
             Some(rounds) if rounds.touch_only => args.clone().touch_only(),
             _ => args.clone(),

@@ -147,7 +147,7 @@ fn work_on_goal(
         return Err(stage_failure(task_args, problem)
             .with_help(format!("choose the part: --set goal='{part}'")));
     }
-    let task_args = &extent.restrict_senses(task_args);
+    let task_args = &extent.apply_touch_only(task_args);
     let any_robot = RobotArgs::default();
     let robot = match extent {
         Extent::Run(args, _) | Extent::Follow(args) => Some(args),

@@ -70,7 +70,7 @@ pub(super) fn wipe_surface(
 ) -> Result<SurfaceOutcome, Failure> {
     let (progress, clock) = begin(global);
     let kept = read_kept(extent, task_args, results)?;
-    let task_args = &in_evaluations(&extent.restrict_senses(task_args), &kept)?;
+    let task_args = &in_evaluations(&extent.apply_touch_only(task_args), &kept)?;
     let mut prepared = prepare::read_with(task_args, &kept)?;
     if let Some(height) = extent.rounds().and_then(|rounds| rounds.air) {
         raise(&mut prepared.task.surface, height);

@@ -20,8 +20,17 @@ use wisch_io::InputDigest;
 
 /// Schema number of the record.
 const SCHEMA: u32 = 1;
-/// The code, besides that of planning and simulation, on which the figures depend.
-const GOAL_CODE: &str = "crates/wisch-cli/src/commands/goal";
+/// The code, besides that of planning, on which the figures depend.
+const GOAL_CODE: [&str; 8] = [
+    SIMULATION_CODE,
+    "crates/wisch-cli/src/commands/goal",
+    "crates/wisch-cli/src/commands/job.rs",
+    "crates/wisch-cli/src/commands/rounds.rs",
+    "crates/wisch-cli/src/commands/run.rs",
+    "crates/wisch-cli/src/commands/swept.rs",
+    "crates/wisch-cli/src/commands/wipe.rs",
+    "crates/wisch-record/src",
+];
 
 /// The record of an evaluation.
 #[derive(Debug, Serialize)]
@@ -56,7 +65,7 @@ pub fn goals(args: &GoalEvaluationArgs, global: &GlobalArgs) -> Result<Outcome, 
         },
     };
     let parts = Some((&**out, &args.journal));
-    let evidence = begin_evidence_of(&args.evidence, parts, &[SIMULATION_CODE, GOAL_CODE])?;
+    let evidence = begin_evidence_of(&args.evidence, parts, &GOAL_CODE)?;
     let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
     let record = GoalsRecord {
         provenance,
