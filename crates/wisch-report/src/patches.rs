@@ -57,7 +57,7 @@ const STYLE: &str = "table.facts th { padding-right: 1.5em; white-space: nowrap;
                      table.patches { max-width: none; } table.patches th, table.patches td { padding-right: 1.5em; } \
                      table.patches td.words { text-align: left; } table.patches th.number { text-align: right; } figure svg { max-width: 100%; height: auto; } rect.bar { fill: currentColor; } \
                      table.steps td, table.steps th { white-space: nowrap; overflow-wrap: normal; } \
-                     table.steps td.words { white-space: normal; min-width: 13em; } table.steps svg { width: 160px; min-width: 0; height: 14px; display: block; margin-top: 0.4em; }";
+                     table.steps td.words { white-space: normal; min-width: 11em; } table.steps svg { width: 100px; min-width: 0; height: 14px; display: block; margin-top: 0.4em; }";
 
 /// Input of the page of a command over all patches.
 pub struct PatchesPageInput<'a> {

@@ -241,8 +241,8 @@ impl GoalSummary {
             .map(|part| {
                 let state = match (&part.left_out, part.holds) {
                     (_, true) => "holds".to_owned(),
-                    (Some(why), false) => format!("does not hold: {why}"),
-                    (None, false) => "does not hold".to_owned(),
+                    (Some(why), false) => format!("open: {why}"),
+                    (None, false) => "open".to_owned(),
                 };
                 (part.part.clone(), state)
             })
