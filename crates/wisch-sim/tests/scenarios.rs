@@ -167,6 +167,25 @@ fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
     );
 }
 
+/// The hand lifts the tool with a constant force and lets go near the surface, which is no contact of a soft tool.
+#[test]
+fn a_hand_that_lifts_the_tool_is_no_soft_contact() {
+    let loaded = load_task(&scenario("failure-human-push"), &LoadOptions::default()).unwrap();
+    let surface = WorkSurface::from_task(&loaded.task);
+    let mut world = World::new(&surface, settings(&loaded), loaded.task.seed).unwrap();
+    let robot = humanoid();
+    let config = RunConfig {
+        max_rounds: 1,
+        ..run_config(&loaded)
+    };
+    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.robot_setup());
+    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    all.unwrap();
+    let felt = collisions(&session.rounds()[0]);
+    assert_eq!(felt.len(), 2, "{felt:?}");
+}
+
 #[test]
 fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
     let (loaded, rounds) = executed("solar-panel-wiper", "uniform", 1);
