@@ -218,6 +218,35 @@ impl JointLimits {
         Ok(Self { joints, followers })
     }
 
+    /// Returns the same limits with all accelerations multiplied by `factor` \[1\], those of mimic joints as well.
+    ///
+    /// ```
+    /// use wisch_robot::timing::{JointLimit, JointLimits};
+    /// let limits = JointLimits::new(vec![JointLimit::arm("elbow", -2.0, 2.0)])?;
+    /// let gentle = limits.clone().with_accelerations_scaled(0.5);
+    /// assert_eq!(gentle.joints()[0].acceleration, 0.5 * limits.joints()[0].acceleration);
+    /// # Ok::<(), wisch_robot::timing::TimingError>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// If the factor is not positive and finite.
+    #[must_use]
+    pub fn with_accelerations_scaled(mut self, factor: f64) -> Self {
+        assert!(
+            factor > 0.0 && factor.is_finite(),
+            "factor {factor} of the accelerations is not positive and finite"
+        );
+        let followers = self
+            .followers
+            .iter_mut()
+            .map(|follower| &mut follower.limit);
+        for limit in self.joints.iter_mut().chain(followers) {
+            limit.acceleration *= factor;
+        }
+        self
+    }
+
     /// Adds the limits of mimic joints of the path's columns: a motion then keeps these as well.
     ///
     /// ```

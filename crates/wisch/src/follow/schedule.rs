@@ -40,8 +40,12 @@ const PARTS: usize = 4;
 const SPEED_EXCESS: f64 = 5e-3;
 /// Longest time that a joint may need for one motion at its limits [s].
 pub(super) const MAX_DURATION: f64 = 1200.0;
-/// Largest number of halvings of the blend until the tool stays on its line.
-const HALVINGS: usize = 6;
+/// Number of blends that are tried until the tool stays on its line, each half of the one before.
+const BLENDS: i32 = 7;
+/// Number of accelerations that are tried after that, each half of the one before.
+const ACCELERATIONS: i32 = 4;
+/// Share of the first blend with which they are tried [1].
+const BLEND_OF_SLOWER: f64 = 0.25;
 
 /// Returns the fastest motion along a path of all n variables; `None` if nothing moves.
 pub(super) fn time_motion(
@@ -65,23 +69,25 @@ pub(super) fn time_motion(
     let divided = (speed.is_finite() && tool_line.is_empty()).then(|| divide_steps(path));
     let path = divided.as_deref().unwrap_or(path);
     let joints = JointPath::new(path)?;
-    let time = |joints: &JointPath, blend_tolerance| -> Result<Trajectory, FollowError> {
+    let time = |joints: &JointPath, corners: Corners| -> Result<Trajectory, FollowError> {
         let timing = TimingConfig {
-            blend_tolerance,
+            blend_tolerance: corners.blend,
             ..TimingConfig::default()
         };
-        let fastest = time_path(joints, cell.limits(), &timing)?;
+        let limits = cell.limits().clone();
+        let limits = limits.with_accelerations_scaled(corners.acceleration);
+        let fastest = time_path(joints, &limits, &timing)?;
         let slowed = slow_to_efforts(cell, task, fastest, cell.tool_load(task, phase))?;
         Ok(slowed.with_acceleration_ramp(config.acceleration_ramp))
     };
     let ways = (speed.is_finite().then(|| measure_ways(cell, path))).transpose()?;
-    let timed = |blend_tolerance| -> Result<Trajectory, FollowError> {
+    let timed = |corners: Corners| -> Result<Trajectory, FollowError> {
         let Some([mean, fastest]) = &ways else {
-            return time(&joints, blend_tolerance);
+            return time(&joints, corners);
         };
         let keeps = |ways: &[f64]| -> Result<Trajectory, FollowError> {
             let times = ways.iter().map(|way| way / speed).collect();
-            time(&joints.clone().with_segment_times(times)?, blend_tolerance)
+            time(&joints.clone().with_segment_times(times)?, corners)
         };
         let trajectory = keeps(mean)?;
         if greatest_speed(cell, &trajectory)? <= (1.0 + SPEED_EXCESS) * speed {
@@ -95,22 +101,52 @@ pub(super) fn time_motion(
             trajectory
         })
     };
-    let mut blend = if tool_line.is_empty() {
+    let first = if tool_line.is_empty() {
         FREE_BLEND
     } else {
         LINE_BLEND
     };
-    for _ in 0..HALVINGS {
-        let trajectory = timed(blend)?;
+    let mut last = None;
+    for corners in Corners::tried(first) {
+        let trajectory = timed(corners)?;
         let off = line_deviation(cell, task, &trajectory, tool_line)?;
         let is_on_line =
             off.position <= config.line_tolerance && off.rotation <= config.turn_tolerance;
         if is_on_line && worst_grip(cell, &trajectory)?.is_held() {
             return Ok(Some(trajectory));
         }
-        blend /= 2.0;
+        last = Some(trajectory);
     }
-    Ok(Some(timed(blend)?))
+    // The audit reports it.
+    Ok(last)
+}
+
+/// How the corners of a path are passed.
+#[derive(Debug, Clone, Copy)]
+struct Corners {
+    /// Largest deviation of a joint from its path [rad or m].
+    blend: f64,
+    /// Share of the joints' limits of acceleration that is used [1].
+    acceleration: f64,
+}
+
+impl Corners {
+    /// Returns what is tried until the tool stays on its line, the fastest first.
+    ///
+    /// However small the blend, a joint leaves the corner of its path by up to a T²/24 for its acceleration a, because
+    /// accelerations are spread over the time T (see [`Trajectory::with_acceleration_ramp`]). Only less acceleration
+    /// lessens that.
+    fn tried(first: f64) -> impl Iterator<Item = Self> {
+        let blends = (0..BLENDS).map(move |k| Self {
+            blend: first * 0.5_f64.powi(k),
+            acceleration: 1.0,
+        });
+        let slower = (1..=ACCELERATIONS).map(move |k| Self {
+            blend: first * BLEND_OF_SLOWER,
+            acceleration: 0.5_f64.powi(k),
+        });
+        blends.chain(slower)
+    }
 }
 
 /// Divides the steps of a path until no variable moves by more than [`MAX_STEP`]. Over a longer step, the speed of the tool
