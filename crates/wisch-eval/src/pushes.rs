@@ -16,7 +16,7 @@ pub struct PushCounts {
     pub rounds: usize,
     /// Rounds without a push.
     pub undisturbed: usize,
-    /// Pushes that ended before their round.
+    /// Pushes that ended before the end of their round.
     pub pushes: usize,
     /// Detected pushes.
     pub found: usize,
@@ -32,8 +32,12 @@ pub struct PushCounts {
 }
 
 impl PushCounts {
-    /// Counts the pushes of a round, from its duration \[s\], the times at which a hand touched the tool, the times at which
-    /// robot or tool touched an object of the scene, and the detected collisions.
+    /// Counts the pushes of a round. All intervals are start and end since the round began \[s\].
+    ///
+    /// - `duration`: duration of the round \[s\].
+    /// - `touches`: intervals during which a hand touched the tool.
+    /// - `obstructions`: intervals during which robot or tool touched an object of the scene.
+    /// - `told`: detected pushes.
     pub fn count(
         duration: f64,
         touches: &[[f64; 2]],
