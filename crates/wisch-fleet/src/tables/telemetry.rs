@@ -33,7 +33,7 @@ pub(super) struct Of<'a> {
     pub day: i32,
     pub episode: &'a str,
     pub round: i32,
-    /// Begin of the round [s since 1970].
+    /// Start of the round [s since 1970].
     pub start: f64,
 }
 
