@@ -79,7 +79,7 @@ pub struct PatchRow {
     pub found: Option<PatchFound>,
 }
 
-/// Results on a patch.
+/// Results of a command on one patch.
 pub struct PatchFound {
     /// Whether the goal is met, in words.
     pub goal: String,
