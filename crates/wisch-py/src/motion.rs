@@ -17,10 +17,15 @@ const PERIOD: f64 = 0.01;
 
 /// Data of a motion, which Python may keep.
 pub struct HeldOrder {
+    /// Number of the round, from 1.
     pub round: usize,
+    /// Seed of a simulated world.
     pub seed: u64,
+    /// The task as it is believed.
     pub task: Task,
+    /// The robot with tool and scene.
     pub cell: Workcell,
+    /// The motion that follows the plan.
     pub followed: Followed,
 }
 

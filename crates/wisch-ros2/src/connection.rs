@@ -198,7 +198,7 @@ impl Connection {
         if publishers > 1 {
             faults.push(format!(
                 "{publishers} publishers send states of these joints on {topic}; expected 1. \
-                 If they are several robots, name link.domain or link.interfaces"
+                 If these are several robots, set link.domain or link.interfaces"
             ));
         }
         if let (Some(topic), Some(wrench)) = (&self.file.force.topic, &readings.wrench) {
