@@ -65,7 +65,7 @@ Examples:
   wisch check board.toml        check it and print a summary of the task
   wisch run board.toml          wipe until the goal is met, and write out/<task>/report.html
 
-Exit codes of run: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. Other commands: 0 success, 2 an error; the help of a command states others."
+Exit codes of run: 0 the goal is met, 1 it is not met or not shown to be met, 2 an error. Other commands: 0 success, 2 an error; the help of a command states its own codes."
 )]
 pub struct Cli {
     /// The command.

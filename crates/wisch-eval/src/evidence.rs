@@ -354,7 +354,7 @@ fn join_part(
     Ok(machines)
 }
 
-/// The command line as a reader repeats it: without options that do not change the result.
+/// Returns the command line that repeats the measurement: without options that do not change the result.
 fn command(arguments: impl Iterator<Item = String>) -> Vec<String> {
     let mut kept = Vec::new();
     let mut arguments = arguments.peekable();
@@ -383,7 +383,7 @@ fn command(arguments: impl Iterator<Item = String>) -> Vec<String> {
     kept
 }
 
-/// The machine: processor, cores, worker threads and system. Unknown properties are missing.
+/// Describes the machine: processor, cores, worker threads and system. Unknown properties are missing.
 fn machine() -> BTreeMap<String, String> {
     let cores = std::thread::available_parallelism();
     let processors = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();

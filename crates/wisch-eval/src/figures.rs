@@ -22,7 +22,7 @@ const PROJECT: &str = "the project";
 
 /// Range of the share of rounds that 90 % intervals with sight contain \[%\].
 const SIGHT_90: [Option<f64>; 2] = [Some(87.0), Some(93.0)];
-/// The same in each class of at least [`CLASS_ROUNDS`] rounds.
+/// Range of this share in each class of at least [`CLASS_ROUNDS`] rounds \[%\].
 const SIGHT_CLASS_90: [Option<f64>; 2] = [Some(80.0), None];
 /// Rounds of a class for which the target with sight holds.
 const CLASS_ROUNDS: usize = 50;

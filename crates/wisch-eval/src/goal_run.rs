@@ -23,7 +23,8 @@ pub struct GoalRunScore {
     pub expected_s: f64,
     /// Time of all steps \[s\].
     pub took_s: f64,
-    /// Time of the best order of the steps that reached their goals, had their times been known before \[s\].
+    /// Least time of any order of the steps that reached their goals, with the times that they took \[s\]; `None` if none is
+    /// found.
     pub best_order_s: Option<f64>,
     /// Time to compute the order of the steps \[s\].
     pub ordering_s: f64,
@@ -82,7 +83,7 @@ pub struct GoalScores {
     pub took_s: Option<Quartiles>,
     /// Time of all steps, as a multiple of the time that was expected before the first one.
     pub of_expected: Option<Quartiles>,
-    /// Time of all steps, as a multiple of that of the best order with the times that they took.
+    /// Time of all steps, as a multiple of [`GoalRunScore::best_order_s`].
     pub of_best_order: Option<Quartiles>,
     /// Time to compute the order of the steps \[s\].
     pub ordering_s: Option<Quartiles>,

@@ -3,9 +3,10 @@
 //! A seed determines a world ([`WorldCase`]): its task, how it differs from the robot's belief, and its disturbances.
 //! [`WorldCase::evaluate`] runs the method in the world, and compares the method's estimates and those of three simpler
 //! estimators on the same rounds with ground truth. [`Calibration`] summarises many worlds. [`ScenarioRun`] is one run of a
-//! shipped scenario in its own world, and [`GoalRunScore`] one of a goal of several parts. [`WipingScore`] scores a task that is planned, followed or executed once; the paper's
-//! Table 1 ([`Table1Case`]) and sweeps over keys of a task ([`Axis`]) consist of these scores. [`SeedUse`] defines the
-//! ranges of seeds. An [`EvidenceFile`] keeps published figures with what is needed to measure them again.
+//! shipped scenario in its own world, and [`GoalRunScore`] one run of a goal of several parts. [`WipingScore`] scores a task
+//! that is planned, followed or executed once; the paper's Table 1 ([`Table1Case`]) and sweeps over keys of a task ([`Axis`])
+//! consist of these scores. [`SeedUse`] defines the ranges of seeds. An [`EvidenceFile`] keeps published figures with command,
+//! seeds, code and machine, so that they can be measured again.
 
 mod baselines;
 mod evidence;

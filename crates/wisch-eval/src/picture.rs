@@ -14,7 +14,7 @@ const PER_METRE: f64 = 1e4;
 pub struct Picture {
     /// The goal.
     pub goal: GoalRecord,
-    /// Radius of the collision sphere.
+    /// Radius of the collision sphere \[m\].
     pub collision_radius_m: f64,
     /// Path of the tool centre point for each stroke.
     pub strokes: Vec<Vec<[f64; 2]>>,
@@ -29,7 +29,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Makes the data from a plan and its effect on the particles.
+    /// Collects the data of a plan and its effect. `wiped`: the plan; `before`, `after`: the particles before and after it.
     pub(crate) fn new(
         task: &Task,
         wiped: &Plan,

@@ -16,7 +16,7 @@ pub struct PushCounts {
     pub rounds: usize,
     /// Rounds without a push.
     pub undisturbed: usize,
-    /// Pushes that ended before their round.
+    /// Pushes that ended before the end of their round.
     pub pushes: usize,
     /// Detected pushes.
     pub found: usize,
@@ -32,13 +32,17 @@ pub struct PushCounts {
 }
 
 impl PushCounts {
-    /// Counts the pushes of a round, from its duration \[s\], the times at which a hand touched the tool, the times at which
-    /// robot or tool touched an object of the scene, and the detected collisions.
+    /// Counts the pushes of a round. All intervals are start and end since the round began \[s\].
+    ///
+    /// - `duration`: duration of the round \[s\].
+    /// - `touches`: intervals during which a hand touched the tool.
+    /// - `obstructions`: intervals during which robot or tool touched an object of the scene.
+    /// - `detected`: detected pushes.
     pub fn count(
         duration: f64,
         touches: &[[f64; 2]],
         obstructions: &[[f64; 2]],
-        told: &[[f64; 2]],
+        detected: &[[f64; 2]],
     ) -> Self {
         let mut pushes: Vec<[f64; 2]> = Vec::new();
         for &[start, end] in touches {
@@ -50,13 +54,14 @@ impl PushCounts {
         let is_undisturbed = pushes.is_empty();
         // A push that lasts beyond the end of the round has no end to detect.
         pushes.retain(|[_, end]| end + TOLERANCE < duration);
-        let is_obstructed = |told: &&[f64; 2]| {
-            let around = |at: &&[f64; 2]| told[0] <= at[1] + GAP && told[1] >= at[0] - TOLERANCE;
+        let is_obstructed = |detected: &&[f64; 2]| {
+            let around =
+                |at: &&[f64; 2]| detected[0] <= at[1] + GAP && detected[1] >= at[0] - TOLERANCE;
             obstructions.iter().any(|at| around(&at))
         };
-        let obstructed = told.iter().filter(is_obstructed).count();
+        let obstructed = detected.iter().filter(is_obstructed).count();
         let [obstructed, invented] = if is_undisturbed {
-            [obstructed, told.len() - obstructed]
+            [obstructed, detected.len() - obstructed]
         } else {
             [0; 2]
         };
@@ -69,9 +74,9 @@ impl PushCounts {
             ..Self::default()
         };
         for [start, end] in pushes {
-            let during = told
-                .iter()
-                .filter(|told| told[0] < end + TOLERANCE && told[1] > start - TOLERANCE);
+            let during = detected.iter().filter(|detected| {
+                detected[0] < end + TOLERANCE && detected[1] > start - TOLERANCE
+            });
             let whole = during
                 .copied()
                 .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);

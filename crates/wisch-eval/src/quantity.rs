@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub enum Quantity {
     /// [`WipingScore::planned`].
     Planned,
-    /// `predicted` of a score.
+    /// The field `predicted` of [`WipingScore`].
     Predicted,
     /// [`WipingScore::limited`].
     Limited,
@@ -98,7 +98,7 @@ impl Quantity {
         }
     }
 
-    /// Returns its value in a run; `None` if the run was not followed or executed.
+    /// Returns the value of the quantity in a run; `None` if the run has no such value, because it was not followed or executed.
     pub fn value(self, score: &WipingScore) -> Option<f64> {
         let motion = |of: fn(&MotionScore) -> f64| score.motion.as_ref().map(of);
         let executed = |of: fn(&ExecutionScore) -> f64| score.execution.as_ref().map(of);

@@ -45,7 +45,7 @@ pub struct BeliefScore {
 }
 
 impl BeliefScore {
-    /// Scores an estimated performance against the true performance `outcome`.
+    /// Scores an estimated performance. `outcome`: the true performance, in [0, 1].
     pub fn evaluate(belief: &PerformanceDistribution, outcome: f64) -> Self {
         Self {
             mean: belief.mean(),
@@ -56,6 +56,8 @@ impl BeliefScore {
     }
 
     /// Whether the interval of a level contains the true performance.
+    ///
+    /// `level`: index into [`LEVELS`]; `outcome`: the true performance.
     pub fn holds(&self, level: usize, outcome: f64) -> bool {
         let [low, high] = self.intervals[level];
         (low - ROUNDING..=high + ROUNDING).contains(&outcome)

@@ -124,7 +124,7 @@ impl MismatchKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Disturbance {
-    /// Nothing.
+    /// No disturbance.
     None,
     /// The surface is tilted and shifted; friction, bias and noise differ from the belief.
     Place,

@@ -262,15 +262,15 @@ fn a_child_that_goes_wrong_ends_in_an_error_that_says_how() {
         ),
         (
             "sample(3000)",
-            "the first sample is at 3000 s, without pauses more than 60 s after the begin of the motion; time_s counts from the begin",
+            "the first sample is at 3000 s, without pauses more than 60 s after the start of the motion; time_s counts from the start",
         ),
         (
             "sample(61, trajectory_time_s=0)",
-            "without pauses more than 60 s after the begin of the motion",
+            "without pauses more than 60 s after the start of the motion",
         ),
         (
             "sample(1764000000)",
-            "time_s = 1764000000 of a sample is beyond the limit of 10000000 s; time_s counts from the begin",
+            "time_s = 1764000000 of a sample is beyond the limit of 10000000 s; time_s counts from the start",
         ),
         (
             "sample(0); done('complete')",

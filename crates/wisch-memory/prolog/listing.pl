@@ -105,12 +105,12 @@ predicate(round_without_progress, 1, 'round_without_progress(Round): further rou
 predicate(relocalized, 3, 'relocalized(Round, Tilt, Offset): localisation error of the surface [rad, m]').
 predicate(tilted_surface, 2, 'tilted_surface(Round, Tilt): surfaces estimated with a tilt of more than 1 degree [rad]').
 predicate(warning, 4, 'warning(Episode, Channel, T, P): at T [s since 1970] the memory warned that force, height, contact_share or tracking_error differ from comparable episodes, with p-value P').
-predicate(goal_step, 5, 'goal_step(Goal, N, Step, Expected, Taken): step N of a goal of several parts, with its expected and its taken time [s]').
+predicate(goal_step, 5, 'goal_step(Goal, N, Step, Expected, Taken): step N of a goal of several parts, with its expected and actual time [s]').
 predicate(costliest_step, 3, 'costliest_step(Goal, Step, Taken): the step of a goal that took the longest time [s]').
 predicate(step_serves, 2, 'step_serves(Step, Part): part of the goal, in PDDL, for which Step was taken').
 predicate(step_episode, 2, 'step_episode(Step, Episode): the episode of a wiping step').
 predicate(goal_part, 3, 'goal_part(Goal, Part, State): part of a goal, in PDDL; State is holds, open or unknown').
-predicate(open_part, 3, 'open_part(Goal, Part, Why): part of a goal that does not hold, or of which that is unknown, and why').
+predicate(open_part, 3, 'open_part(Goal, Part, Why): part of a goal that does not hold, or for which this is unknown, with the reason').
 predicate(drift, 5, 'drift(runs(Robot, Tool, Surface), Channel, PerRun, P, Runs): drift that wisch memory health reports: change per run since the last sudden change, probability P of chance, and number of runs until a limit, or none').
 predicate(contact_force_drift, 4, 'contact_force_drift(Surface, Slope, First, Last): contact force [N] that decreases slowly over episodes').
 predicate(localization_drift, 4, 'localization_drift(Surface, Slope, First, Last): localisation error [m] that grows slowly over episodes, since its last sudden change').

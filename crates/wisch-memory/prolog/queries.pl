@@ -201,7 +201,7 @@ warning(Episode, Channel, Time, P) :-
 
 % Goals of several parts ------------------------------------------------------------------------------------
 
-% goal_step(-Goal, -Number, -Step, -Expected, -Taken): steps of a goal, with expected and taken time [s].
+% goal_step(-Goal, -Number, -Step, -Expected, -Taken): steps of a goal, with expected and actual time [s].
 goal_step(Goal, Number, Step, Expected, Taken) :-
     of_class(Goal, 'semco:GoalAction'),
     part(Goal, Step),

@@ -53,7 +53,7 @@ pub struct EpisodeRow {
     pub task: String,
     /// Begin and end [s since 1970].
     pub interval: [f64; 2],
-    /// Begin of each round [s since 1970].
+    /// Start of each round [s since 1970].
     pub rounds: Vec<f64>,
     /// Index of its first individual; its other individuals follow.
     pub first: IndividualId,

@@ -74,7 +74,7 @@ pub struct EpisodeRecord {
     pub program: String,
     /// Seed of the run.
     pub seed: u64,
-    /// Begin of each round [s since 1970], in order; times in the round's telemetry count from here.
+    /// Start of each round [s since 1970], in order; times in the round's telemetry count from here.
     pub rounds: Vec<f64>,
     /// Individuals; the first is the episode itself.
     pub individuals: Vec<Individual>,

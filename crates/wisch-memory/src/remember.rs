@@ -27,7 +27,7 @@ pub struct EpisodeHeader {
     pub id: String,
     /// Name of the task.
     pub task: String,
-    /// Begin of the run by the clock of its machine [s since 1970].
+    /// Start of the run by the clock of its machine [s since 1970].
     pub start: f64,
     /// Estimated performance at which the goal counts as met \[1\].
     pub target: f64,

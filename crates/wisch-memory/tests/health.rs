@@ -10,7 +10,7 @@ use wisch_memory::health::{
 };
 use wisch_memory::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 
-/// Begin of the first run [s since 1970], and time between two runs [s].
+/// Start of the first run [s since 1970], and time between two runs [s].
 const BEGIN: f64 = 1.79e9;
 const DAY: f64 = 86_400.0;
 

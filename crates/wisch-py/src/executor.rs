@@ -36,7 +36,7 @@ trait Taking {
     /// Receives a sample. Returns whether the motion continues.
     fn take(&mut self, sample: SampleRecord) -> Result<bool, String>;
 
-    /// Receives the begin of a pause.
+    /// Receives the start of a pause.
     fn pause(&mut self, pause: &PauseRecord) -> Result<(), String>;
 
     /// Receives the end of a pause.

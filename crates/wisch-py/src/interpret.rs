@@ -19,8 +19,11 @@ use wisch_io::LoadedTask;
 /// Estimates of contact, surface and dirt from poses and forces.
 #[pyclass(name = "Interpretation", module = "wisch", frozen)]
 pub struct PyInterpretation {
+    /// The task.
     pub task: Arc<Task>,
+    /// The goal.
     pub goal: GoalState,
+    /// The interpretation of the library.
     pub estimate: Arc<Interpretation>,
     config: PlanConfig,
 }

@@ -18,7 +18,7 @@ use wisch_record::{EpisodeSink, EpisodeTarget, FinishedRound, RecordError, RunSi
 
 /// Interval of the checks for Ctrl-C.
 const LOOK: Duration = Duration::from_millis(50);
-/// How to install a Prolog engine.
+/// Advice on the installation of a Prolog engine.
 const NO_ENGINE: &str = "install SWI-Prolog (swipl), or wisch-prolog from wisch's source: cargo install --path crates/wisch-prolog --locked";
 
 /// Memory of episodes in a folder.
@@ -160,6 +160,7 @@ impl PyMemory {
         })
     }
 
+    /// Folder of the memory.
     #[getter]
     fn folder(&self) -> PathBuf {
         self.folder.clone()

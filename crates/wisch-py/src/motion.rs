@@ -17,10 +17,15 @@ const PERIOD: f64 = 0.01;
 
 /// Data of a motion, which Python may keep.
 pub struct HeldOrder {
+    /// Number of the round, from 1.
     pub round: usize,
+    /// Seed of a simulated world.
     pub seed: u64,
+    /// The task as it is believed.
     pub task: Task,
+    /// The robot with tool and scene.
     pub cell: Workcell,
+    /// The motion that follows the plan.
     pub followed: Followed,
 }
 
@@ -111,21 +116,25 @@ impl PyMotion {
 
 #[pymethods]
 impl PyMotion {
+    /// Number of the round, from 1.
     #[getter]
     fn round(&self) -> usize {
         self.order.round
     }
 
+    /// Seed of a simulated world.
     #[getter]
     fn seed(&self) -> u64 {
         self.order.seed
     }
 
+    /// Name of the robot.
     #[getter]
     fn robot(&self) -> &str {
         self.order.cell.robot().name()
     }
 
+    /// Names of the robot's joints, in the order of all positions.
     #[getter]
     pub fn joints(&self) -> Vec<&str> {
         let robot = self.order.cell.robot();
@@ -134,21 +143,25 @@ impl PyMotion {
             .collect()
     }
 
+    /// Name of the tool.
     #[getter]
     fn tool(&self) -> &str {
         &self.order.task.tool.name
     }
 
+    /// Believed pose of the surface, (7).
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, &self.order.task.surface.world_from_surface)
     }
 
+    /// Shape of a curved surface; `None` for a plane.
     #[getter]
     fn surface_shape<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         shape_dict(py, &self.order.task.surface.shape)
     }
 
+    /// Pose of the robot's root link, (7).
     #[getter]
     fn world_from_root<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, self.order.cell.world_from_root())
@@ -161,42 +174,50 @@ impl PyMotion {
         &robot.links()[self.order.cell.tip().index()].name
     }
 
+    /// Pose of the tool in the frame of the link `tip`, (7).
     #[getter]
     fn tip_from_tool<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, self.order.cell.tip_from_tool())
     }
 
+    /// Force with which the tool is to press, and which the controller does not exceed; 0 for a tool that hovers.
     #[getter]
     fn press_force_n(&self) -> f64 {
         self.order.task.interaction.contact_force()
     }
 
+    /// Stiffness of the controller along the surface's normal.
     #[getter]
     fn stiffness_n_per_m(&self) -> f64 {
         self.order.task.interaction.stiffness_n_per_m
     }
 
+    /// Damping ratio of the controller.
     #[getter]
     fn damping_ratio(&self) -> f64 {
         self.order.task.interaction.damping_ratio
     }
 
+    /// Compression of the tool under the press force.
     #[getter]
     fn compression_depth_m(&self) -> f64 {
         self.order.task.interaction.compression_depth_m
     }
 
+    /// Height at which a tool hovers over the surface; `None` for a tool that touches.
     #[getter]
     fn gap_m(&self) -> Option<f64> {
         let interaction = &self.order.task.interaction;
         interaction.hovers().then_some(interaction.gap_m)
     }
 
+    /// Duration of the motion.
     #[getter]
     fn duration_s(&self) -> f64 {
         self.order.followed.duration()
     }
 
+    /// Time during which the tool is to touch the surface.
     #[getter]
     fn contact_time_s(&self) -> f64 {
         self.order.followed.contact_time()
@@ -247,26 +268,31 @@ impl PyMotion {
         motions.collect()
     }
 
+    /// Times of the setpoints, (T).
     #[getter]
     fn time_s(&self, py: Python<'_>) -> Py<PyArray1<f64>> {
         self.columns(py).time_s.clone_ref(py)
     }
 
+    /// Joint positions, (T, n) [rad or m].
     #[getter]
     fn positions(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.columns(py).positions.clone_ref(py)
     }
 
+    /// Joint velocities, (T, n) [rad/s or m/s].
     #[getter]
     fn velocities(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.columns(py).velocities.clone_ref(py)
     }
 
+    /// Joint accelerations, (T, n) [rad/s² or m/s²].
     #[getter]
     fn accelerations(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.columns(py).accelerations.clone_ref(py)
     }
 
+    /// Poses of the tool, (T, 7).
     #[getter]
     fn world_from_tool(&self, py: Python<'_>) -> Py<PyArray2<f64>> {
         self.columns(py).world_from_tool.clone_ref(py)

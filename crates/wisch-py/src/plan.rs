@@ -36,38 +36,45 @@ pub fn poses<'py>(py: Python<'py>, stroke: &Stroke) -> Matrix<'py> {
 
 #[pymethods]
 impl PyPlan {
+    /// Name of the strategy that planned it.
     #[getter]
     fn strategy(&self) -> &'static str {
         self.plan.strategy.as_str()
     }
 
+    /// Strokes, each (k, 3): x, y [m] and yaw [rad] of the tool in the frame of the surface, between which it moves straight.
     #[getter]
     fn strokes<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
         let strokes = self.plan.strokes.iter();
         strokes.map(|stroke| poses(py, stroke)).collect()
     }
 
+    /// Positions of the nodes, (nodes, 2) in the frame of the surface [m].
     #[getter]
     fn nodes<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         let nodes = self.plan.graph.nodes.iter();
         arrays::points(py, nodes.map(|node| node.position))
     }
 
+    /// Directed edges between nodes, as pairs of their numbers from 0.
     #[getter]
     fn edges(&self) -> Vec<(usize, usize)> {
         self.plan.graph.edges.clone()
     }
 
+    /// Length of the path in contact.
     #[getter]
     fn contact_distance_m(&self) -> f64 {
         self.plan.contact_distance()
     }
 
+    /// Length of the tool's whole path, including free motions.
     #[getter]
     fn total_distance_m(&self) -> f64 {
         self.plan.total_distance()
     }
 
+    /// Share of the particles that no allowed pose of the tool covers, 0 to 1.
     #[getter]
     fn unreachable_share(&self) -> f64 {
         self.plan.unreachable_share
@@ -165,26 +172,31 @@ impl PyPrediction {
         self.prediction.performance.ratio()
     }
 
+    /// Number of particles.
     #[getter]
     fn initial(&self) -> usize {
         self.prediction.performance.initial
     }
 
+    /// Number of particles that meet the goal.
     #[getter]
     fn achieved(&self) -> usize {
         self.prediction.performance.achieved
     }
 
+    /// Number of particles that left the surface over a wrong edge, or whose coat is too thick.
     #[getter]
     fn lost(&self) -> usize {
         self.prediction.performance.lost
     }
 
+    /// Positions of the particles, or where they left the surface, (N, 2) in the frame of the surface [m].
     #[getter]
     fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         arrays::places(py, &self.prediction.particles)
     }
 
+    /// Fates of the particles: 0 on the surface, 1 absorbed, 2 off the surface, (N).
     #[getter]
     fn fates<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
         arrays::fates(py, &self.prediction.particles)

@@ -80,16 +80,19 @@ impl PyRobot {
         Ok(Self { robot, is_of_task })
     }
 
+    /// Name of the robot.
     #[getter]
     fn name(&self) -> &str {
         self.robot.model.name()
     }
 
+    /// Number of independent joints, n.
     #[getter]
     fn dof(&self) -> usize {
         self.robot.model.dof()
     }
 
+    /// Names of the independent joints, in the order of positions.
     #[getter]
     fn joints(&self) -> Vec<&str> {
         let model = &self.robot.model;
@@ -98,6 +101,7 @@ impl PyRobot {
             .collect()
     }
 
+    /// Names of the links.
     #[getter]
     fn links(&self) -> Vec<&str> {
         let links = self.robot.model.links().iter();

@@ -31,16 +31,19 @@ impl PyAudit {
         self.0.faults.iter().map(ToString::to_string).collect()
     }
 
+    /// Smallest distance between bodies that must not touch, at most 0.5 m.
     #[getter]
     fn min_clearance_m(&self) -> f64 {
         self.0.min_clearance
     }
 
+    /// Largest deviation of the tool from its lines.
     #[getter]
     fn line_deviation_m(&self) -> f64 {
         self.0.line.position
     }
 
+    /// Largest rotation of the tool away from its lines.
     #[getter]
     fn line_deviation_rad(&self) -> f64 {
         self.0.line.rotation
@@ -80,16 +83,19 @@ impl PyRound {
 
 #[pymethods]
 impl PyRound {
+    /// Number of the round, from 1.
     #[getter]
     fn number(&self) -> usize {
         self.round.motion.number
     }
 
+    /// Plan of the round.
     #[getter]
     fn plan(&self) -> PyPlan {
         PyPlan::new(&self.round.motion.task, self.round.motion.plan.clone())
     }
 
+    /// Predicted effect of the motion.
     #[getter]
     fn prediction(&self) -> PyPrediction {
         let motion = &self.round.motion;
@@ -100,21 +106,25 @@ impl PyRound {
         }
     }
 
+    /// Planned motion.
     #[getter]
     fn motion(&self) -> PyMotion {
         PyMotion::from_round(&self.round.motion)
     }
 
+    /// Result of the independent check of the motion.
     #[getter]
     fn audit(&self) -> PyAudit {
         PyAudit(self.round.audit.clone())
     }
 
+    /// Telemetry of the motion; `None` if it was not recorded.
     #[getter]
     fn telemetry(&self, py: Python<'_>) -> Option<Py<PyTelemetry>> {
         self.telemetry.as_ref().map(|one| one.clone_ref(py))
     }
 
+    /// Interpretation of the measurements.
     #[getter]
     fn interpretation(&self) -> PyInterpretation {
         let PlannedRound { task, plan, .. } = &self.round.motion;
@@ -135,11 +145,13 @@ impl PyRound {
         (estimate.low, estimate.high)
     }
 
+    /// Duration of the executed motion.
     #[getter]
     fn duration_s(&self) -> f64 {
         self.round.execution.duration
     }
 
+    /// How the motion ended: complete, stopped, ended early, or protective stop.
     #[getter]
     fn ending(&self) -> &'static str {
         self.round.execution.ending.as_str()
@@ -155,6 +167,7 @@ impl PyRound {
         }
     }
 
+    /// Pauses of the motion, each with `start_s`, `end_s` (`None` if the motion ended in it), phase and reason.
     #[getter]
     fn pauses<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let record = |pause: &Pause| {
@@ -168,6 +181,7 @@ impl PyRound {
         self.round.execution.pauses.iter().map(record).collect()
     }
 
+    /// Verdict after the round.
     #[getter]
     fn verdict(&self) -> &'static str {
         self.round.verdict.as_str()

@@ -181,11 +181,13 @@ fn strokes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<PlanarPose>>> {
 
 #[pymethods]
 impl PyTask {
+    /// Name of the task.
     #[getter]
     fn name(&self) -> &str {
         &self.loaded.task.name
     }
 
+    /// Path of its file.
     #[getter]
     fn path(&self) -> PathBuf {
         self.loaded.path.clone()
@@ -197,120 +199,143 @@ impl PyTask {
         &self.loaded.text
     }
 
+    /// Assumptions about a tool, medium or interaction that the file defines, a sentence each.
     #[getter]
     fn assumptions(&self) -> Vec<String> {
         self.loaded.assumptions.clone()
     }
 
+    /// The wiping action.
     #[getter]
     fn action(&self) -> &'static str {
         self.loaded.task.action.as_str()
     }
 
+    /// Name of the medium.
     #[getter]
     fn medium(&self) -> &str {
         &self.loaded.task.medium
     }
 
+    /// Random seed.
     #[getter]
     fn seed(&self) -> u64 {
         self.loaded.task.seed
     }
 
+    /// Name of its planning strategy.
     #[getter]
     fn strategy(&self) -> &'static str {
         self.loaded.run.plan.strategy.as_str()
     }
 
+    /// Performance at which its goal is met, 0 to 1.
     #[getter]
     fn target_performance(&self) -> f64 {
         self.loaded.run.target
     }
 
+    /// Name of the tool.
     #[getter]
     fn tool(&self) -> &str {
         &self.loaded.task.tool.name
     }
 
+    /// Footprint of the tool: outer rings (corners, 2) in its own frame [m].
     #[getter]
     fn tool_footprint<'py>(&self, py: Python<'py>) -> Vec<Matrix<'py>> {
         arrays::rings(py, &self.loaded.task.tool.footprint)
     }
 
+    /// Vertices (V, 3) in the tool's frame [m], whose origin is in the contact plane with z out of the surface; triangles (T, 3).
     #[getter]
     fn tool_mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let (vertices, triangles) = arrays::mesh(py, &self.loaded.task.tool.mesh);
         Ok((vertices, triangles).into_pyobject(py)?.into_any())
     }
 
+    /// Depth along and width across the tool's motion [m].
     #[getter]
     fn area_of_effect_m(&self) -> [f64; 2] {
         self.loaded.task.tool.area_of_effect.into()
     }
 
+    /// Radius of the collision sphere around the tool.
     #[getter]
     fn collision_radius_m(&self) -> f64 {
         self.loaded.task.tool.collision_radius()
     }
 
+    /// Name of the surface.
     #[getter]
     fn surface(&self) -> &str {
         &self.loaded.task.surface.name
     }
 
+    /// Outline of the surface, (corners, 2) in its frame [m].
     #[getter]
     fn surface_outline<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         let outline = self.loaded.task.surface.outline.outer();
         arrays::points(py, outline.iter().copied())
     }
 
+    /// Believed pose of the surface, (7).
     #[getter]
     fn world_from_surface<'py>(&self, py: Python<'py>) -> Vector<'py> {
         pose_array(py, &self.loaded.task.surface.world_from_surface)
     }
 
+    /// Shape of a curved surface; `None` for a plane.
     #[getter]
     fn surface_shape<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         shape_dict(py, &self.loaded.task.surface.shape)
     }
 
+    /// Believed positions of the dirt, (N, 2) in the frame of the surface [m].
     #[getter]
     fn particles<'py>(&self, py: Python<'py>) -> Matrix<'py> {
         arrays::places(py, &self.loaded.task.particles)
     }
 
+    /// Goal of a collect, (2) in the frame of the surface [m]; `None` if the planner chooses it.
     #[getter]
     fn collect_goal<'py>(&self, py: Python<'py>) -> Option<Vector<'py>> {
         let goal = self.loaded.task.collect_goal?;
         Some(arrays::vector(py, vec![goal.x, goal.y]))
     }
 
+    /// Start of the tool, (2) in the frame of the surface [m].
     #[getter]
     fn tool_start<'py>(&self, py: Python<'py>) -> Vector<'py> {
         let start = self.loaded.task.tool_start;
         arrays::vector(py, vec![start.x, start.y])
     }
 
+    /// Force with which the tool is to press; 0 for a tool that hovers.
     #[getter]
     fn press_force_n(&self) -> f64 {
         self.loaded.task.interaction.contact_force()
     }
 
+    /// Stiffness of the controller along the surface's normal.
     #[getter]
     fn stiffness_n_per_m(&self) -> f64 {
         self.loaded.task.interaction.stiffness_n_per_m
     }
 
+    /// Damping ratio of the controller.
     #[getter]
     fn damping_ratio(&self) -> f64 {
         self.loaded.task.interaction.damping_ratio
     }
 
+    /// Compression of the tool under the press force.
     #[getter]
     fn compression_depth_m(&self) -> f64 {
         self.loaded.task.interaction.compression_depth_m
     }
 
+    /// Largest speed of the tool in contact.
     #[getter]
     fn contact_speed_m_per_s(&self) -> f64 {
         self.loaded.run.follow.contact_speed

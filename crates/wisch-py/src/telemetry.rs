@@ -64,29 +64,29 @@ impl Columns {
 pub struct PyTelemetry {
     /// Number of the round, from 1; 0 for a log that does not state it.
     round: usize,
-    /// (T) [s].
+    /// Times of the samples since the start of the motion or log, (T) [s].
     time_s: Py<PyArray1<f64>>,
     /// Number of the stroke, -1 outside strokes, (T).
     stroke: Py<PyArray1<i64>>,
     /// Quality of the force and moment: 0 ok, 1 stale, 2 saturated, 3 untared, (T).
     wrench_quality: Py<PyArray1<u8>>,
-    /// (T, 7).
+    /// Poses of the tool, (T, 7).
     world_from_tool: Py<PyArray2<f64>>,
-    /// (T, 7).
+    /// Commanded poses of the tool, (T, 7).
     world_from_commanded: Py<PyArray2<f64>>,
     /// Force of the surroundings on the tool, in the axes of the world, (T, 3) [N].
     force_n: Py<PyArray2<f64>>,
-    /// (T, 3) [Nm].
+    /// Moment of the surroundings about the tool centre point, in the axes of the world, (T, 3) [Nm].
     moment_nm: Py<PyArray2<f64>>,
     /// Force that the controller commanded, (T, 3) [N].
     controller_force_n: Py<PyArray2<f64>>,
-    /// (T, 3) [Nm].
+    /// Moment that the controller commanded, about the tool centre point, (T, 3) [Nm].
     controller_moment_nm: Py<PyArray2<f64>>,
-    /// (T, n) [rad or m].
+    /// Joint positions, (T, n), or (T, 0) if not measured [rad or m].
     positions: Py<PyArray2<f64>>,
-    /// (T, n), or (T, 0) if not measured [rad/s or m/s].
+    /// Joint velocities, (T, n), or (T, 0) if not measured [rad/s or m/s].
     velocities: Py<PyArray2<f64>>,
-    /// (T, n), or (T, 0) [Nm or N].
+    /// Joint efforts, (T, n), or (T, 0) if not measured [Nm or N].
     efforts: Py<PyArray2<f64>>,
     /// How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each.
     remarks: Vec<String>,

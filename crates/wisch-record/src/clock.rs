@@ -29,7 +29,7 @@ impl RunClock {
         }
     }
 
-    /// Begin of the run by the machine's clock [s since 1970, UTC].
+    /// Start of the run by the machine's clock [s since 1970, UTC].
     pub const fn begin(&self) -> f64 {
         self.begin
     }

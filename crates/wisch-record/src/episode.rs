@@ -53,7 +53,7 @@ pub struct EpisodeSink {
     executor: Option<String>,
     /// Whether events arrive at the time at which they happen.
     is_live: bool,
-    /// Begin of the run by this machine's clocks.
+    /// Start of the run by this machine's clocks.
     clock: RunClock,
     /// Start of the current round's execution, and durations of executed rounds by the clock [s].
     executing: Option<Instant>,

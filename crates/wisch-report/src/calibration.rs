@@ -33,7 +33,9 @@ pub struct CalibrationLevel {
     pub width: f64,
 }
 
-/// Draws the reliability diagram and the widths of the intervals as SVG. The first curve is that of wisch.
+/// Draws the reliability diagram and the widths of the intervals as SVG.
+///
+/// `title`: headline; `what`: description of the picture; `curves`: the estimators, that of wisch first.
 pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve]) -> String {
     let classes = ["curve", "course", "trail", "driven"];
     let with_class = || curves.iter().zip(classes.iter().cycle());

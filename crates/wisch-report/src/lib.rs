@@ -4,8 +4,8 @@
 //! |---|---|---|
 //! | a run, live or finished, for the page of `wisch-web` | run events | [`RecordingWriter`] |
 //! | figures for papers, in SVG | [`ReportInput`] | [`pictures`] |
-//! | the effect over the distance wiped | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
-//! | a robot in motion: joints, base placements | [`ShownMotion`] of what follows a plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
+//! | the effect over the distance in contact | a running prediction | [`EffectFrames`], part of [`ReportInput`] |
+//! | a robot in motion: joints, base placements | [`ShownMotion`] of a followed plan, or any [`MotionInput`] | part of [`ReportInput`], or [`joint_plots`], [`placements_plan`] |
 //! | a log of wiping as one page | [`LogPageInput`] | [`log_page`] |
 //! | rounds: force, path, probability of an effect, remaining dirt | [`RoundsInput`] | part of [`ReportInput`] |
 //! | an episode without a recording, for the same page | its telemetry and events | [`RecordingWriter::record_log`] |
@@ -16,7 +16,7 @@
 //! | the steps of a goal of several parts | [`StepRow`] | [`steps_page`] |
 //! | the calibration of estimates | [`CalibrationCurve`]s | [`calibration_drawing`] |
 //! | tasks by several strategies, compared with the paper's figures | [`Table1Input`] | [`table1_page`] |
-//! | any of the SVG as PNG, with the feature `png` | its text | `rasterize` |
+//! | any of these SVG pictures as PNG, with the feature `png` | the text of the SVG | `rasterize` |
 //!
 //! Everything is drawn in memory with embedded fonts. The crate reads no files, and its pages load nothing from the network.
 //!

@@ -63,7 +63,7 @@ const STYLE: &str = "table.facts th { padding-right: 1.5em; white-space: nowrap;
 pub struct PatchesPageInput<'a> {
     /// Name of the task.
     pub title: &'a str,
-    /// What was found on all patches: name and value.
+    /// Results on all patches together: name and value.
     pub facts: &'a [(String, String)],
     /// Outlines of all patches, on the surface unrolled as one piece \[m\].
     pub outlines: &'a [Polygon],
@@ -75,11 +75,11 @@ pub struct PatchesPageInput<'a> {
 pub struct PatchRow {
     /// Area \[m²\].
     pub area: f64,
-    /// What was found on it; none if it was not wiped.
+    /// Results on the patch; `None` if it was not wiped.
     pub found: Option<PatchFound>,
 }
 
-/// What was found on a patch.
+/// Results of a command on one patch.
 pub struct PatchFound {
     /// Whether the goal is met, in words.
     pub goal: String,
@@ -89,7 +89,7 @@ pub struct PatchFound {
     pub strokes: usize,
     /// Path length in contact \[m\].
     pub distance: f64,
-    /// Address of its own page, relative to this one; none if it has none.
+    /// Address of its own page, relative to this one; `None` without a page.
     pub report: Option<String>,
 }
 
@@ -142,23 +142,24 @@ pub fn patches_page(input: &PatchesPageInput) -> String {
 
 /// A step on the page of a goal of several parts.
 pub struct StepRow {
-    /// What it does, in words.
+    /// The step in words, such as `fetch sponge`.
     pub words: String,
-    /// Time since the first step at which it began \[s\].
+    /// Start of the step, since the start of the first step \[s\].
     pub began: f64,
-    /// Its time \[s\].
+    /// Actual time \[s\].
     pub took: f64,
-    /// Its expected time \[s\].
+    /// Expected time \[s\].
     pub expected: f64,
-    /// Its outcome, in words; empty for a step that wipes nothing.
+    /// The result in words; empty for a step that does not wipe.
     pub result: String,
-    /// Address of its own page, relative to this one; none if it has none.
+    /// Address of its own page, relative to this one; `None` without a page.
     pub report: Option<String>,
 }
 
 /// Returns one self-contained HTML file over the steps of a goal, which loads nothing from the network.
 ///
-/// `facts`: the parts of the goal and what else was found, name and value.
+/// `title`: name of the task; `facts`: names and values, such as the parts of the goal and whether they hold; `steps`: the steps,
+/// in order.
 pub fn steps_page(title: &str, facts: &[(String, String)], steps: &[StepRow]) -> String {
     let end = steps
         .last()

@@ -22,7 +22,7 @@ pub struct SheetInput<'a> {
     pub title: &'a str,
     /// The surface.
     pub sheet: &'a Sheet,
-    /// Largest stretch of 99 % of the area \[1\].
+    /// Limit of the stretch on 99 % of the area \[1\].
     pub stretch_limit: f64,
     /// Compression that the tool needs to touch a place with its whole footprint \[m\].
     pub needed_compression: &'a dyn Fn(&SheetPoint) -> f64,

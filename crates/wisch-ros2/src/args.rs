@@ -7,8 +7,9 @@ use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Exit code of an error, and of a doctor that found what would be refused.
+/// Exit code of an error.
 const ERROR: u8 = 2;
+/// Exit code of a doctor that found something that forbids a motion.
 const REFUSED: u8 = 1;
 
 /// Execute the motions of wisch on robots that speak ROS 2

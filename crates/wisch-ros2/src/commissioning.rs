@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// The schema of the file.
 const SCHEMA: u32 = 1;
 
-/// What the push test found.
+/// The result of a push test.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Commissioning {

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 /// Time over which rates are measured.
 pub(crate) const SURVEY: Duration = Duration::from_millis(600);
-/// Range of the robot's clock over this computer's clock [1].
+/// Accepted range of the rate of the robot's clock, divided by that of this computer's clock [1].
 const CLOCK_RATIO: [f64; 2] = [0.8, 1.25];
 /// The safety mode in which a robot of Universal Robots may move.
 const NORMAL: u8 = 1;
@@ -50,7 +50,7 @@ pub(crate) struct Connection {
 pub(crate) struct Survey {
     /// Rate of joint states and wrenches [Hz].
     pub rates: [f64; 2],
-    /// Speed of the robot's clock over this computer's [1]; `None` without two joint states.
+    /// Rate of the robot's clock, divided by that of this computer's clock [1]; `None` without two joint states.
     pub clock_ratio: Option<f64>,
 }
 
@@ -150,7 +150,7 @@ impl Connection {
             && !(CLOCK_RATIO[0]..=CLOCK_RATIO[1]).contains(&ratio)
         {
             faults.push(format!(
-                "the stamps of joint states pass {ratio:.2} s in a second; expected {} to {}",
+                "the stamps of joint states advance by {ratio:.2} s per second; expected {} to {}",
                 CLOCK_RATIO[0], CLOCK_RATIO[1]
             ));
         }
@@ -198,7 +198,7 @@ impl Connection {
         if publishers > 1 {
             faults.push(format!(
                 "{publishers} publishers send states of these joints on {topic}; expected 1. \
-                 If they are several robots, name link.domain or link.interfaces"
+                 If these are several robots, set link.domain or link.interfaces"
             ));
         }
         if let (Some(topic), Some(wrench)) = (&self.file.force.topic, &readings.wrench) {

@@ -23,7 +23,7 @@ const MAX_SILENCE_S: f64 = 2.0;
 /// Longest wait for a point of a motion.
 const POINT_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// How to drive.
+/// Options of the motions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DriveOptions {
     /// Share of the planned speed, above 0 and at most 1.

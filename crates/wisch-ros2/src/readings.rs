@@ -141,7 +141,7 @@ impl Readings {
     }
 }
 
-/// Readings that the threads of subscriptions write, and a bell that rings for each joint state.
+/// Readings that the threads of subscriptions write, and a condition variable that each joint state notifies.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SharedReadings(Arc<(Mutex<Readings>, Condvar)>);
 

@@ -16,7 +16,7 @@ fn repetitions() -> u64 {
     text.and_then(|text| text.parse().ok()).unwrap_or(1)
 }
 
-/// Waits for a random moment of a motion: some time after the begin of one of its first goals. `before`: number of events
+/// Waits for a random moment of a motion: some time after the start of one of its first goals. `before`: number of events
 /// before the motion.
 fn wait_for_random_moment(fake: &FakeRobot, before: usize, seed: u64) {
     let mixed = (seed + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;

@@ -56,7 +56,7 @@ pub struct Listed {
     tool: Option<String>,
     medium: Option<String>,
     surface: Option<String>,
-    /// Begin of the episode [s since 1970].
+    /// Start of the episode [s since 1970].
     begun: f64,
     seconds: f64,
     rounds: usize,

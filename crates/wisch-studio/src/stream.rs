@@ -20,7 +20,7 @@ const CHECK_INTERVAL: Duration = Duration::from_millis(40);
 const HEARTBEAT: Duration = Duration::from_secs(10);
 /// Interval of checks whether the run's process exists.
 const PROCESS_CHECK_INTERVAL: Duration = Duration::from_millis(500);
-/// Begin of the piece that ends a recording.
+/// Start of the piece that ends a recording.
 const LAST_PIECE: &[u8] = b"{\"piece\":\"ended\"";
 /// Longest line of a recording [bytes]. The longest lines that wisch writes hold meshes, of a few million bytes.
 const LONGEST_LINE: usize = 16 << 20;
@@ -34,7 +34,7 @@ pub struct Tail {
     live: LiveFolder,
     id: String,
     source: Source,
-    /// Begin of an incomplete line.
+    /// Start of an incomplete line.
     partial: Vec<u8>,
     /// Number of lines read.
     lines: u64,

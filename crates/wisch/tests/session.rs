@@ -517,7 +517,7 @@ fn strokes_are_searched_for_where_the_robot_reaches() {
 struct Guarded {
     toy: Toy,
     stops_at: f64,
-    /// Joint positions at the begin of each motion.
+    /// Joint positions at the start of each motion.
     begins: Vec<Vec<f64>>,
     /// Joint positions at the end of the last motion.
     stands: Vec<f64>,

@@ -43,7 +43,7 @@ Examples:
   wisch eval goals kitchen --worlds 20                     how many parts are claimed, and really reached
   wisch eval goals kitchen.toml --first-seed 1000 --worlds 100 --shard 1/2 --out out/tuned
 
-Each run is one of `wisch run`, in a folder that is removed afterwards. Writes goals.json, goals.md, and \
+Each run is a `wisch run` whose folder of results is removed afterwards. Writes goals.json, goals.md, and \
 runs-*.jsonl, which --resume and other shards read. The ranges of seeds are those of `wisch eval calibration`.
 
 Exit codes: 0 all runs were evaluated, 1 some runs failed, 2 an error.")]

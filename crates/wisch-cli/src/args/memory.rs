@@ -63,7 +63,7 @@ Examples:
   wisch memory health --surface chopping_board --tool sponge
   wisch memory health --json | jq '.groups[] | select(.needs_attention) | .surface'
 
-Runs of the same robot, tool, surface, dirt, press force and source are one series. \
+Runs of the same robot, tool, surface, dirt, press force and source form one group. \
 A finding needs seven of them. The table states which values the episodes lack.
 
 Exit codes: 0 nothing is found that needs attention, 1 something needs attention, 2 an error.")]

@@ -1,4 +1,4 @@
-//! The options of the present command line, with which messages suggest further commands.
+//! Options of the current command line, which messages add to the commands that they suggest.
 
 use super::Cli;
 use clap::parser::ValueSource;

@@ -67,7 +67,7 @@ pub struct SurfaceSplitArgs {
     pub json: bool,
 }
 
-/// A mesh, what of it is meant, and the tool.
+/// A mesh, the part of it that is the surface, and the tool.
 #[derive(Debug, Args)]
 pub struct SurfaceMeshArgs {
     /// Mesh file (.stl, .obj, .dae or .ply), or height field (.asc, Esri ASCII raster)

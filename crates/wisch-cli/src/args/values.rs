@@ -5,16 +5,19 @@ use std::path::PathBuf;
 use wisch::plan::Strategy;
 use wisch::represent::Action;
 
+/// Returns a parser of planning strategies.
 pub(super) fn strategy_parser() -> impl TypedValueParser<Value = Strategy> {
     PossibleValuesParser::new(Strategy::ALL.map(Strategy::as_str)).try_map(|name| name.parse())
 }
 
+/// Returns a parser of wiping actions.
 pub(super) fn action_parser() -> impl TypedValueParser<Value = Action> {
     let names = Action::ALL
         .map(|action| PossibleValue::new(action.as_str()).aliases(action.earlier_name()));
     PossibleValuesParser::new(names).try_map(|name| name.parse())
 }
 
+/// Parses KEY=VALUE, an override of a value of the task file.
 pub(super) fn setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text
         .split_once('=')
@@ -25,6 +28,7 @@ pub(super) fn setting(text: &str) -> Result<(String, String), String> {
     Ok((key.trim().to_owned(), value.trim().to_owned()))
 }
 
+/// Parses a time, from 0.001 to 86400 \[s\].
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let number: f64 = text
         .parse()
@@ -35,6 +39,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
     Err(format!("{number} s is outside 0.001 to 86400 s"))
 }
 
+/// Parses a share, above 0 and at most 1 \[1\].
 pub(super) fn share(text: &str) -> Result<f64, String> {
     let number: f64 =
         (text.parse()).map_err(|_| "not a number; write a share, such as 0.25".to_owned())?;
@@ -46,6 +51,7 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
     ))
 }
 
+/// Parses a height above the surface, from 0.005 to 0.5 \[m\].
 pub(super) fn height(text: &str) -> Result<f64, String> {
     let number: f64 =
         (text.parse()).map_err(|_| "not a number; write metres, such as 0.05".to_owned())?;
@@ -65,6 +71,7 @@ pub(super) fn compression_depth(text: &str) -> Result<f64, String> {
     Err(format!("{number} m is outside 0 (rigid) to 0.1 m"))
 }
 
+/// Parses NAME=DIR, the name of a ROS package and its folder.
 pub(super) fn package(text: &str) -> Result<(String, PathBuf), String> {
     match text.split_once('=') {
         Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {

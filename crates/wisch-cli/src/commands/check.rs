@@ -34,7 +34,7 @@ pub fn check(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     }
 }
 
-/// Equal times of all steps, for the parts of a goal that can be reached at all.
+/// Equal times of all steps, with which a search shows the parts of a goal that can be reached at all.
 struct EqualTimes;
 
 impl StepTimes for EqualTimes {

@@ -50,7 +50,7 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     })
 }
 
-/// Returns all episodes without faults, and what is wrong with the others.
+/// Returns all episodes without faults, and the faults of the remaining ones.
 fn find_sound_episodes(memory: &Memory) -> Result<(Vec<Episode>, Vec<String>), Failure> {
     let (mut sound, mut left_out) = (Vec::new(), Vec::new());
     for id in memory.episodes().map_err(broken)? {

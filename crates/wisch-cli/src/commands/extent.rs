@@ -28,6 +28,7 @@ pub(super) enum Extent<'a> {
 }
 
 impl Extent<'_> {
+    /// Whether the command runs the loop.
     pub const fn is_run(&self) -> bool {
         matches!(self, Self::Run(..))
     }

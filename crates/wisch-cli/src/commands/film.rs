@@ -33,8 +33,8 @@ const WEBM: [u8; 4] = [0x1a, 0x45, 0xdf, 0xa3];
 /// Largest head of a request, and largest clip [bytes].
 const MAX_HEAD: usize = 1 << 16;
 const MAX_CLIP: usize = 1 << 30;
-/// Starts a browser, and ends with it; ends it and all that it has started when standard input is closed, however this
-/// program ends. Its name is the profile of the browser, which it removes.
+/// A shell script that starts a browser and ends with it. When standard input closes, however this program ends, the script
+/// ends the browser and all processes of the browser. `$0` is the folder of the browser's profile, which the script removes.
 const KEEPER: &str = r#"exec 3<&0
 "$@" 3<&- </dev/null >/dev/null 2>&1 & browser=$!
 (trap '' TERM; cat <&3 >/dev/null; kill $browser; sleep 3; rm -rf "$0"; kill -KILL 0) >/dev/null 2>&1 &
@@ -43,7 +43,7 @@ trap '' TERM; kill -TERM 0 2>/dev/null
 rm -rf "$0" 2>/dev/null || { sleep 1; rm -rf "$0"; }
 exit $code"#;
 
-/// What the page does in place of a person: it records, and sends the clip.
+/// A script by which the page records the clip and sends it, in place of a person.
 const SCRIPT: &str = r#"<script>
 (async () => {
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -141,7 +141,7 @@ fn find_browser(given: Option<&Path>) -> Result<PathBuf, Failure> {
 struct Clip {
     /// WebM video.
     video: Vec<u8>,
-    /// What the page says of it: its duration, speed and size, and a doubt.
+    /// The page's description of the clip: duration, speed, size, and a doubt if there is one.
     said: String,
 }
 

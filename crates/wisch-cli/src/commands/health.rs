@@ -10,7 +10,7 @@ use wisch_memory::health::{
     gather_groups,
 };
 
-/// Columns of the table at most.
+/// Maximum number of columns of the table.
 const WIDTH: usize = 100;
 
 /// Assesses the runs of a memory and prints what was found.

@@ -73,8 +73,11 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
 
 /// A log and its interpretation.
 pub(super) struct Interpreted {
+    /// The log.
     pub log: Log,
+    /// The goal of the task.
     pub goal: GoalState,
+    /// The interpretation of the log.
     pub interpretation: Interpretation,
     /// The record that is written to `interpretation.json`.
     pub record: InterpretationRecord,

@@ -14,7 +14,7 @@ use wisch_io::{PauseSwitch, kill_executors, remove_unfinished};
 const EXIT_BY_SIGNAL: i32 = 128;
 /// Period at which the flag of a signal is checked.
 const PERIOD: Duration = Duration::from_millis(20);
-/// Longest wait of a signal for a round that is decided meanwhile: a file system may block its checkpoint.
+/// Longest time that a signal waits for a round whose verdict is being decided: a file system may block its checkpoint.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// The flag of [`stop_on_signal`] and the switch of [`pause_on_signal`]: one of each, as a command over several patches
@@ -27,7 +27,7 @@ static HANDLES_CTRL_C: AtomicBool = AtomicBool::new(false);
 /// Installs handlers with which Ctrl-C, SIGTERM and SIGHUP remove what the command has not finished, and end the program.
 ///
 /// After [`stop_on_signal`], the first signal requests a clean stop, and the second ends the program and all executors. While
-/// unfinished files are removed, a further signal ends the program at once. A signal that is ignored from the begin, as
+/// unfinished files are removed, a further signal ends the program at once. A signal that is ignored from the beginning, as
 /// `nohup` ignores SIGHUP, stays ignored; only Linux states which ones are.
 ///
 /// # Errors

@@ -18,10 +18,15 @@ const GREEDY_ROUNDS: usize = 10;
 
 /// The inputs of a command that runs a session.
 pub(super) struct Job<'a> {
+    /// Arguments of the task.
     pub task_args: &'a TaskArgs,
+    /// The task.
     pub prepared: &'a LoadedTask,
+    /// The robot with its options; `None` without a robot.
     pub robot: Option<(&'a Chosen<'a>, &'a Robot)>,
+    /// Folder of results.
     pub folder: &'a OutputFolder,
+    /// Display of the current activity.
     pub progress: &'a Progress,
     /// When the command began.
     pub clock: RunClock,

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use std::path::Path;
 use wisch_telemetry::{ReadError, ReadFault, RecordingKind};
 
-/// Longest delay of a message for which a wider window may be the remedy [s]; a clock that turns falls by more.
+/// Longest delay of a message for which a wider window may be the remedy [s]; a counter that begins anew goes back by more.
 const LONGEST_DELAY: f64 = 600.0;
 
 /// Returns the error of a log that cannot be read, with advice if there is some.

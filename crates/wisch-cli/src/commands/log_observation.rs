@@ -15,12 +15,11 @@ pub(super) struct LogObservations {
     pub before: Option<Observation>,
     /// After the log.
     pub after: Observation,
-    /// Sentence that states what was observed, and where it is from.
+    /// Sentence that states the observations and their source.
     pub remark: String,
 }
 
-/// Reads the observation of `--observation`. A bag holds those of the camera before and after the round, as the log itself
-/// may.
+/// Reads the observation of `--observation`. A bag, such as the log itself, may also hold an observation before the round.
 pub(super) fn observation_in(
     file: &Path,
     source: &LoggedArgs,
@@ -29,7 +28,7 @@ pub(super) fn observation_in(
 ) -> Result<LogObservations, Failure> {
     if goal.action().treats() {
         let problem = format!(
-            "--observation {}: an observation is a list of dirt, and the action {} leaves none to be seen",
+            "--observation {}: an observation is a list of dirt locations, and the action {} leaves no dirt to observe",
             file.display(),
             goal.action()
         );
@@ -97,7 +96,7 @@ fn is_same_file(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// States that the estimate does not use the observations that the log holds, and how it would.
+/// Returns a remark if the log holds observations, which the estimate does not use, with the option that uses them.
 pub(super) fn unused_remark(log: &Log, source: &LoggedArgs) -> Option<String> {
     let held: Vec<&str> = (log.observations.iter())
         .zip(["before", "after"])

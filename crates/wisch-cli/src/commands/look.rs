@@ -58,7 +58,7 @@ fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
                 recordings.push((shown.id.clone(), packed));
             }
             Ok(packed) => view.remarks.push(format!(
-                "episode {} is not drawn: its recording of {} KiB exceeds the page's rest of {} KiB; ask for fewer episodes",
+                "episode {} is not drawn: its recording of {} KiB exceeds the {} KiB that are left on the page; ask for fewer episodes",
                 shown.id,
                 packed.len() >> 10,
                 space >> 10

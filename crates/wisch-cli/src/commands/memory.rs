@@ -362,6 +362,10 @@ pub fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failur
     Ok(Outcome::Done)
 }
 
+/// Opens the memory of the arguments.
+///
+/// # Errors
+/// If the folder is no memory; the advice says how to create one.
 pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
     Memory::open(&args.memory).map_err(|error| {
         Failure::new(error)
@@ -369,6 +373,7 @@ pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
     })
 }
 
+/// Returns a failure from an error of the memory, with advice.
 pub(super) fn broken(error: MemoryError) -> Failure {
     let help = match error {
         MemoryError::Unknown { .. } => format!("{} lists the episodes", suggest("memory list")),

@@ -15,7 +15,7 @@ use wisch_report::{PatchFound, PatchRow, PatchesPageInput, patches_page};
 
 /// The schema of the object.
 const SCHEMA: u32 = 1;
-/// What the passes of patches do not count.
+/// The note on passes at seams, which are not added up.
 const SEAMS: &str = "passes are counted for each patch alone: strokes of neighbouring patches overlap at seams, so that points there have more passes than stated, and max_passes is not checked over patches";
 
 /// The patches of a task.
@@ -106,7 +106,7 @@ fn toml_string(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-/// What a command over all patches has found. Shares are in 1, lengths in metres.
+/// The results of a command over all patches. Shares are in [0, 1], lengths in metres.
 #[derive(Serialize)]
 pub(super) struct PatchesSummary {
     format: &'static str,
@@ -132,7 +132,7 @@ pub(super) struct PatchesSummary {
     patch_count: usize,
     /// What the numbers of a treatment leave out at seams; null for other actions, and for a single patch.
     seam_note: Option<&'static str>,
-    /// Whether every estimate is one: false if the performance on a patch is unknown, so that the estimate is a guess.
+    /// Whether every log allows an estimate; false if the performance on a patch is unknown.
     is_conclusive: bool,
     /// The summary of each patch that was wiped.
     patches: Vec<Summary>,
@@ -222,7 +222,7 @@ impl PatchesSummary {
         })
     }
 
-    /// What was found on all patches: name and value.
+    /// Returns the results on all patches together: name and value.
     fn facts(&self) -> Vec<(String, String)> {
         let mut facts = Vec::new();
         let mut add = |name: &str, value: String| facts.push((name.to_owned(), value));

@@ -1,4 +1,4 @@
-//! From a path on the command line to a task that can be planned.
+//! Reads the task that a command line names.
 
 use crate::args::TaskArgs;
 use crate::failure::Failure;
@@ -27,7 +27,7 @@ pub(super) fn read_with(args: &TaskArgs, kept: &KeptFiles) -> Result<LoadedTask,
 
 /// Returns the files that a killed run has kept. Files that have changed since are noted.
 ///
-/// `out`: folder of results of a task of a name.
+/// `out`: returns the folder of results for the name of a task.
 pub(super) fn read_kept(
     args: &TaskArgs,
     out: impl FnOnce(&str) -> PathBuf,

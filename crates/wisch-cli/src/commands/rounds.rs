@@ -44,7 +44,9 @@ pub type Kept = Result<Option<KeptEpisode>, Failure>;
 
 /// The results of an executed run.
 pub struct Executed {
+    /// The results of the rounds.
     pub results: RunResults,
+    /// The kept episode.
     pub kept: Kept,
     /// The failure that ended the run early, if there was one; the results hold the rounds until then.
     pub broken: Option<Failure>,

@@ -120,12 +120,12 @@ pub(super) fn run_goal(
     done.broken.map_or(Ok(done.summary), Err)
 }
 
-/// What a command for a goal of several parts has done.
+/// The results of a command for a goal of several parts.
 struct GoalDone {
     summary: GoalSummary,
     /// The failure of a step after the first one; the summary holds the steps before it.
     broken: Option<Failure>,
-    /// The folder of the goal's episode; `None` if none was to be kept.
+    /// The folder of the goal's episode; `None` if no episode was requested.
     kept: Result<Option<PathBuf>, Failure>,
 }
 

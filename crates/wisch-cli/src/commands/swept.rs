@@ -1,4 +1,4 @@
-//! What the strokes of a command pass over.
+//! The strokes of a command on a surface, and the dirt over which they pass.
 
 use wisch::geometry::Point2;
 use wisch::plan::{Plan, predict};

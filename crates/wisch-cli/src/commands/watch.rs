@@ -14,6 +14,7 @@ const SAY_EVERY: usize = 200;
 /// A receiver of events that shows progress, writes checkpoints for `--resume`, and waits for real time if requested.
 pub struct Watch<'a> {
     progress: &'a Progress,
+    /// Checkpoints of the run.
     pub checkpoints: Checkpoints,
     /// Folder of the checkpoints.
     pub state: PathBuf,

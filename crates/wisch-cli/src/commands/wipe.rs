@@ -36,16 +36,16 @@ use wisch_report::EffectFrames;
 const WAITS: &str = "the robot was stopped and waits for its operator";
 /// The note after a stop that followed a warning.
 const WARNED: &str = "a warning stopped the run, and the robot waits for its operator";
-/// What to do if the next such stop shall not end the run.
+/// The advice after such a stop.
 const RETREAT: &str = "set execution.after_stop = \"retreat\" to resume automatically";
 
-/// What a command found on a surface.
+/// The result of a command on a surface.
 pub(super) struct SurfaceOutcome {
     /// The summary.
     pub summary: Summary,
     /// Whether the goal is met.
     pub is_met: bool,
-    /// Its strokes, and what it has collected.
+    /// Its strokes, and the dirt that it has collected.
     pub swept: SweptSurface,
     /// Whether the run waits for its operator, or was interrupted.
     pub is_stopped: bool,

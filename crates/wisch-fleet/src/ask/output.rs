@@ -108,8 +108,8 @@ async fn collect(answer: DataFrame) -> Result<Vec<RecordBatch>, FleetError> {
         if bytes > LARGEST_TABLE {
             let limit = LARGEST_TABLE >> 20;
             return Err(FleetError::Asked(format!(
-                "the answer has more than {limit} MB, too much for a table: --csv, --json and --parquet write it while \
-                 it comes in"
+                "the answer has more than {limit} MB, too much for a table: --csv, --json and --parquet write it as it \
+                 arrives"
             )));
         }
         batches.push(batch);

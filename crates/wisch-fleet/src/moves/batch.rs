@@ -40,7 +40,7 @@ pub struct BatchExtent {
     pub robots: [String; 2],
     /// First and last day, days since 1970.
     pub days: [i32; 2],
-    /// First begin and last end [s since 1970].
+    /// First start and last end [s since 1970].
     pub times: [f64; 2],
     /// The episodes, if they are few.
     pub episodes: Option<Vec<String>>,

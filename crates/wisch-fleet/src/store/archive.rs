@@ -212,8 +212,8 @@ impl<R: Read> Read for Bounded<R> {
         self.left = self.left.checked_sub(read as u64).ok_or_else(|| {
             let (packed, limit) = (self.packed, self.limit);
             io::Error::other(format!(
-                "its {packed} bytes unpack to more than {limit}, the limit: {MOST_BYTES} bytes at most, and \
-                 {LARGEST_RATIO} times its length beyond {ANY_RATIO}"
+                "its {packed} bytes unpack to more than the limit of {limit} bytes: at most {MOST_BYTES} bytes, and above \
+                 {ANY_RATIO} bytes at most {LARGEST_RATIO} times the packed length"
             ))
         })?;
         Ok(read)

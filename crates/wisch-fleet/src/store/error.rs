@@ -4,7 +4,7 @@ use datafusion::error::DataFusionError;
 use std::path::PathBuf;
 use wisch_memory::{MemoryError, TelemetryError};
 
-/// Why a fleet cannot be read, written or asked.
+/// An error of a fleet: why it cannot be read, written or queried.
 #[derive(Debug, thiserror::Error)]
 pub enum FleetError {
     /// A URL is not a place of a fleet.

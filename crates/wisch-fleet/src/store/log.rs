@@ -32,7 +32,7 @@ pub struct FileEntry {
     pub sha256: String,
     /// Version: major and minor.
     pub schema: [u32; 2],
-    /// Begin of its first episode and end of its last one [s since 1970].
+    /// Start of its first episode and end of its last one [s since 1970].
     pub times: [f64; 2],
     /// Its episodes, if they are few.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -464,7 +464,7 @@ pub const TABLES: [Table; 7] = [
                 "p_value",
                 ColumnKind::Number,
                 "1",
-                "share of episodes that deviate at least as much",
+                "share of episodes, this one included, that deviate at least as much",
             ),
             column(
                 "alike_episodes",

@@ -89,7 +89,7 @@ pub const DRIFT: Table = Table {
             "changed_s",
             ColumnKind::Number,
             "s",
-            "begin of the first run after the last sudden change, since 1970 UTC; null without one",
+            "start of the first run after the last sudden change, since 1970 UTC; null without one",
         ),
         number("value_before", "value before that change"),
         number("value_after", "value after it"),

@@ -29,11 +29,15 @@ const TAKEN: [&str; 16] = [
 
 /// Values that all rows of a round share.
 pub(super) struct Of<'a> {
+    /// Name of the robot.
     pub robot: &'a str,
+    /// Day on which the episode began, days since 1970.
     pub day: i32,
+    /// Name of the episode.
     pub episode: &'a str,
+    /// Number of the round, from 1.
     pub round: i32,
-    /// Begin of the round [s since 1970].
+    /// Start of the round [s since 1970].
     pub start: f64,
 }
 

@@ -180,7 +180,7 @@ fn remove_dead_parts(folder: &Path) {
     }
 }
 
-/// Returns the begin of the name of an unfinished file for a target's name, which is cut if it is long.
+/// Returns the first part of the name of an unfinished file for a target's name, which is cut if it is long.
 fn part_prefix(name: &str) -> String {
     let end = name.floor_char_boundary(MAX_PART_NAME);
     format!(".{}{PART_MARK}", &name[..end])

@@ -18,7 +18,7 @@ const LAST_SAMPLE: f64 = 1.0;
 /// Maximum time by which a motion's reported duration may exceed its samples [s].
 const UNMEASURED: f64 = 60.0;
 /// Advice for a sample whose time is wrong.
-const SINCE_BEGIN: &str = "time_s counts from the begin of the motion, not from that of a clock";
+const SINCE_BEGIN: &str = "time_s counts from the start of the motion, not from that of a clock";
 /// Maximum time by which a motion's reported duration may be below the time of the last sample [s].
 const ROUNDED: f64 = 2.0;
 /// Reason of a stop that the executor reports, but that was not requested.
@@ -390,7 +390,7 @@ impl<'a> Intake<'a> {
     /// Ends a pause.
     ///
     /// # Errors
-    /// If the motion is not paused, or the time is before the begin of the pause or the last sample.
+    /// If the motion is not paused, or the time is before the start of the pause or the last sample.
     pub fn resume(&mut self, record: ResumeRecord) -> Result<(), String> {
         let time = record.time_s;
         self.check_pause("resumed", time)?;
@@ -549,14 +549,14 @@ impl<'a> Intake<'a> {
         Ok(())
     }
 
-    /// Checks that the first sample is soon after the begin of the motion: a time of another clock is later.
+    /// Checks that the first sample is soon after the start of the motion: a time of another clock is later.
     fn check_begin(&self) -> Result<(), String> {
         let most = UNMEASURED.max(self.order.followed.duration());
         if self.count > 0.0 || self.time_run() <= most {
             return Ok(());
         }
         Err(format!(
-            "the first sample is at {} s, without pauses more than {most:.0} s after the begin of the motion; {SINCE_BEGIN}",
+            "the first sample is at {} s, without pauses more than {most:.0} s after the start of the motion; {SINCE_BEGIN}",
             self.since
         ))
     }

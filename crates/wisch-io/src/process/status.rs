@@ -39,7 +39,7 @@ impl TryFrom<String> for StampClockRecord {
     }
 }
 
-/// The begin of a pause, as an executor reports it.
+/// The start of a pause, as an executor reports it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PauseRecord {

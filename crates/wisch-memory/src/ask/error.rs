@@ -53,7 +53,7 @@ pub enum QueryFault {
     /// Text follows the full stop of the query.
     #[error("text after the full stop, from {begin:?} on: ask one query at a time")]
     AfterStop {
-        /// Begin of the text.
+        /// Start of the text.
         begin: String,
     },
     /// Another error by the engine.

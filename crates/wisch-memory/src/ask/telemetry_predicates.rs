@@ -44,7 +44,7 @@ struct Span {
     tool: String,
     /// Bias of the force that the round's interpretation subtracts, along the surface's normal, in the world [N].
     bias: Vector3,
-    /// Begin of the round [s since 1970].
+    /// Start of the round [s since 1970].
     began: f64,
     from: f64,
     to: f64,

@@ -141,7 +141,7 @@ pub fn health_drifts(catalogue: &Catalogue) -> Vec<Term> {
     found
 }
 
-/// Returns `c(Thing, Time, Before, After)` for each sudden change: begin of the first episode after it [s since 1970],
+/// Returns `c(Thing, Time, Before, After)` for each sudden change: start of the first episode after it [s since 1970],
 /// and the values before and after.
 pub fn changes(catalogue: &Catalogue, channel: HealthChannel, within: [f64; 2]) -> Vec<Term> {
     let mut found = Vec::new();

@@ -37,9 +37,9 @@ pub struct GroupHealth {
     pub runs: usize,
     /// Number of runs that are left out because their dates are unknown.
     pub undated_runs: usize,
-    /// Begin of the first run [s since 1970]; `None` without a run.
+    /// Start of the first run [s since 1970]; `None` without a run.
     pub first_s: Option<f64>,
-    /// Begin of the last run [s since 1970]; `None` without a run.
+    /// Start of the last run [s since 1970]; `None` without a run.
     pub last_s: Option<f64>,
     /// Whether a channel has a finding.
     pub needs_attention: bool,
@@ -101,7 +101,7 @@ pub struct ChannelAssessment {
 /// A sudden change of a channel between two runs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SuddenChange {
-    /// Begin of the first run after it [s since 1970].
+    /// Start of the first run after it [s since 1970].
     pub time_s: f64,
     /// Value before it, in the unit of the channel.
     pub before: f64,

@@ -24,7 +24,7 @@ pub struct Triple {
     pub predicate: String,
     /// Value of the property.
     pub object: Object,
-    /// Begin of its validity [s since 1970]; 0 for always.
+    /// Start of its validity [s since 1970]; 0 for always.
     pub since: f64,
     /// End of its validity [s since 1970]; infinite for ever.
     pub until: f64,

@@ -60,7 +60,7 @@ const TOLD_FILE: &str = ".told";
 pub const RECORDING_FILE: &str = "recording.jsonl.gz";
 
 /// Returns the path of a file by which a run publishes its progress. `ending`: `jsonl` for the
-/// recording so far, one JSON object per line; `json` for process, task and begin of the run. Both
+/// recording so far, one JSON object per line; `json` for process, task and start of the run. Both
 /// files disappear once the episode with this name is in the memory.
 pub fn live_path(memory: &Path, id: &str, ending: &str) -> PathBuf {
     memory.join(".live").join(format!("{id}.{ending}"))

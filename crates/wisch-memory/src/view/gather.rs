@@ -84,7 +84,7 @@ struct Opened {
     /// Name of the tool.
     tool: String,
     telemetry: Rc<Telemetry>,
-    /// Begin of the round [s since 1970].
+    /// Start of the round [s since 1970].
     began: f64,
     /// Names of the round's media, with prefix.
     media: Vec<String>,

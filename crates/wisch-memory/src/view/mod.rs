@@ -105,7 +105,7 @@ pub enum ViewError {
     NoRecord {
         /// Name of the thing.
         thing: String,
-        /// Begin of the interval [s since 1970].
+        /// Start of the interval [s since 1970].
         from: f64,
         /// End of the interval [s since 1970].
         to: f64,

@@ -7,7 +7,7 @@ use wisch_memory::{Catalogue, EPISODE_SCHEMA, EpisodeRecord, Individual, Origin,
 /// Newtons with which every episode presses.
 const FORCE: f64 = 10.0;
 
-/// Begin of the first episode [s since 1970].
+/// Start of the first episode [s since 1970].
 const BEGIN: f64 = 1.0e6;
 
 /// An episode a day, with the offset of the plane [m] and the stiffness of the tool [N/m] if it is known.

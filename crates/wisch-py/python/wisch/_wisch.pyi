@@ -64,7 +64,8 @@ class Executor(Protocol):
 class Task:
     """A wiping task: surface, dirt, tool, action and goal."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the task."""
     @property
     def path(self) -> PathLike[str]:
         """Path of its file."""
@@ -75,11 +76,14 @@ class Task:
     def assumptions(self) -> list[str]:
         """Assumptions about a tool, medium or interaction that the file defines, a sentence each."""
     @property
-    def action(self) -> Literal["absorb", "collect", "skim", "polish", "dispense"]: ...
+    def action(self) -> Literal["absorb", "collect", "skim", "polish", "dispense"]:
+        """The wiping action."""
     @property
-    def medium(self) -> str: ...
+    def medium(self) -> str:
+        """Name of the medium."""
     @property
-    def seed(self) -> int: ...
+    def seed(self) -> int:
+        """Random seed."""
     @property
     def strategy(self) -> str:
         """Name of its planning strategy."""
@@ -87,7 +91,8 @@ class Task:
     def target_performance(self) -> float:
         """Performance at which its goal is met, 0 to 1."""
     @property
-    def tool(self) -> str: ...
+    def tool(self) -> str:
+        """Name of the tool."""
     @property
     def tool_footprint(self) -> list[Floats]:
         """Footprint of the tool: outer rings (corners, 2) in its own frame [m]."""
@@ -98,12 +103,14 @@ class Task:
     def area_of_effect_m(self) -> list[float]:
         """Depth along and width across the tool's motion [m]."""
     @property
-    def collision_radius_m(self) -> float: ...
+    def collision_radius_m(self) -> float:
+        """Radius of the collision sphere around the tool."""
     @property
-    def surface(self) -> str: ...
+    def surface(self) -> str:
+        """Name of the surface."""
     @property
     def surface_outline(self) -> Floats:
-        """(corners, 2) in the frame of the surface [m]."""
+        """Outline of the surface, (corners, 2) in its frame [m]."""
     @property
     def world_from_surface(self) -> Floats:
         """Believed pose of the surface, (7)."""
@@ -122,12 +129,14 @@ class Task:
     def tool_start(self) -> Floats:
         """Start of the tool, (2) in the frame of the surface [m]."""
     @property
-    def press_force_n(self) -> float: ...
+    def press_force_n(self) -> float:
+        """Force with which the tool is to press; 0 for a tool that hovers."""
     @property
     def stiffness_n_per_m(self) -> float:
         """Stiffness of the controller along the surface's normal."""
     @property
-    def damping_ratio(self) -> float: ...
+    def damping_ratio(self) -> float:
+        """Damping ratio of the controller."""
     @property
     def compression_depth_m(self) -> float:
         """Compression of the tool under the press force."""
@@ -214,17 +223,20 @@ class Task:
 class Plan:
     """Strokes in the order of their execution. A notebook shows a plan as a picture."""
     @property
-    def strategy(self) -> str: ...
+    def strategy(self) -> str:
+        """Name of the strategy that planned it."""
     @property
     def strokes(self) -> list[Floats]:
-        """Each (k, 3): x, y [m] and yaw [rad] of the tool in the frame of the surface, between which it moves straight."""
+        """Strokes, each (k, 3): x, y [m] and yaw [rad] of the tool in the frame of the surface, between which it moves straight."""
     @property
     def nodes(self) -> Floats:
-        """(nodes, 2) in the frame of the surface [m]."""
+        """Positions of the nodes, (nodes, 2) in the frame of the surface [m]."""
     @property
-    def edges(self) -> list[tuple[int, int]]: ...
+    def edges(self) -> list[tuple[int, int]]:
+        """Directed edges between nodes, as pairs of their numbers from 0."""
     @property
-    def contact_distance_m(self) -> float: ...
+    def contact_distance_m(self) -> float:
+        """Length of the path in contact."""
     @property
     def total_distance_m(self) -> float:
         """Length of the whole path, including free motions."""
@@ -251,12 +263,14 @@ class Prediction:
     def performance(self) -> float:
         """Share of the particles that meet the goal, 0 to 1."""
     @property
-    def initial(self) -> int: ...
+    def initial(self) -> int:
+        """Number of particles."""
     @property
-    def achieved(self) -> int: ...
+    def achieved(self) -> int:
+        """Number of particles that meet the goal."""
     @property
     def lost(self) -> int:
-        """Number of particles that left the surface over a wrong edge."""
+        """Number of particles that left the surface over a wrong edge, or whose coat is too thick."""
     @property
     def particles(self) -> Floats:
         """Positions of the particles, or where they left the surface, (N, 2) in the frame of the surface [m]."""
@@ -274,22 +288,26 @@ class Robot:
     def load(urdf: Robot | Path) -> Robot:
         """Read a shipped robot by its name (humanoid, arm7, arm6), or a URDF by its path."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the robot."""
     @property
     def dof(self) -> int:
-        """n, the number of independent joints."""
+        """Number of independent joints, n."""
     @property
     def joints(self) -> list[str]:
-        """Their names, in the order of every array of positions."""
+        """Names of the independent joints, in the order of every array of positions."""
     @property
-    def links(self) -> list[str]: ...
+    def links(self) -> list[str]:
+        """Names of the links."""
     @property
-    def urdf(self) -> str: ...
+    def urdf(self) -> str:
+        """Text of the URDF."""
     @property
-    def srdf(self) -> str | None: ...
+    def srdf(self) -> str | None:
+        """Text of the SRDF; None without one."""
     @property
     def limits(self) -> dict[str, JointLimits]:
-        """By joint; None where there is no limit [rad or m, per s, per s², Nm or N]."""
+        """Limits by joint; None where there is none [rad or m, per s, per s², Nm or N]."""
     def pose(self, q: ArrayLike, link: str) -> Floats:
         """Pose of a link in the frame of the root link (7) at positions q (n) [rad or m]."""
     def jacobian(self, q: ArrayLike, link: str, point_in_link: ArrayLike | None = None) -> Floats:
@@ -310,16 +328,19 @@ class Motion:
     """
     @property
     def round(self) -> int:
-        """From 1."""
+        """Number of the round, from 1."""
     @property
     def seed(self) -> int:
         """Seed of a simulated world."""
     @property
-    def robot(self) -> str: ...
+    def robot(self) -> str:
+        """Name of the robot."""
     @property
-    def joints(self) -> list[str]: ...
+    def joints(self) -> list[str]:
+        """Names of the robot's joints, in the order of all positions."""
     @property
-    def tool(self) -> str: ...
+    def tool(self) -> str:
+        """Name of the tool."""
     @property
     def world_from_surface(self) -> Floats:
         """Believed pose, (7)."""
@@ -336,24 +357,28 @@ class Motion:
         """Name of the link that holds the tool."""
     @property
     def tip_from_tool(self) -> Floats:
-        """(7)."""
+        """Pose of the tool in the frame of the link ``tip``, (7)."""
     @property
     def press_force_n(self) -> float:
-        """Saturation of the controller's force."""
+        """Force with which the tool is to press, and which the controller does not exceed; 0 for a tool that hovers."""
     @property
     def stiffness_n_per_m(self) -> float:
         """Stiffness along the surface's normal."""
     @property
-    def damping_ratio(self) -> float: ...
+    def damping_ratio(self) -> float:
+        """Damping ratio of the controller."""
     @property
-    def compression_depth_m(self) -> float: ...
+    def compression_depth_m(self) -> float:
+        """Compression of the tool under the press force."""
     @property
     def gap_m(self) -> float | None:
         """Height at which a tool hovers over the surface; None for a tool that touches."""
     @property
-    def duration_s(self) -> float: ...
+    def duration_s(self) -> float:
+        """Duration of the motion."""
     @property
-    def contact_time_s(self) -> float: ...
+    def contact_time_s(self) -> float:
+        """Time during which the tool is to touch the surface."""
     @property
     def abandoned(self) -> list[int]:
         """Nodes of the plan that the robot cannot reach."""
@@ -364,22 +389,23 @@ class Motion:
     def particles(self) -> Floats:
         """Believed positions of the dirt, (N, 2) in the frame of the surface [m]."""
     @property
-    def phases(self) -> list[Phase]: ...
+    def phases(self) -> list[Phase]:
+        """Phases of the motion."""
     @property
     def time_s(self) -> Floats:
-        """(T)."""
+        """Times of the setpoints, (T)."""
     @property
     def positions(self) -> Floats:
-        """(T, n) [rad or m]."""
+        """Joint positions, (T, n) [rad or m]."""
     @property
     def velocities(self) -> Floats:
-        """(T, n) [rad/s or m/s]."""
+        """Joint velocities, (T, n) [rad/s or m/s]."""
     @property
     def accelerations(self) -> Floats:
-        """(T, n) [rad/s² or m/s²]."""
+        """Joint accelerations, (T, n) [rad/s² or m/s²]."""
     @property
     def world_from_tool(self) -> Floats:
-        """(T, 7)."""
+        """Poses of the tool, (T, 7)."""
     @property
     def stroke(self) -> NDArray[np.int64]:
         """Number of the stroke, -1 where the tool does not touch, (T)."""
@@ -429,7 +455,8 @@ class Session:
     def telemetry(self) -> list[Telemetry]:
         """Telemetry of every motion, including one that failed."""
     @property
-    def stage(self) -> Literal["planned", "followed", "audited", "executed", "interpreted", "decided", "ended"] | None: ...
+    def stage(self) -> Literal["planned", "followed", "audited", "executed", "interpreted", "decided", "ended"] | None:
+        """The completed stage; None before the first."""
     @property
     def verdict(self) -> str | None:
         """Why the session has ended; None before its end, or if it was stopped."""
@@ -460,36 +487,45 @@ class Audit:
     def line_deviation_m(self) -> float:
         """Largest deviation of the tool from its lines."""
     @property
-    def line_deviation_rad(self) -> float: ...
+    def line_deviation_rad(self) -> float:
+        """Largest rotation of the tool away from its lines."""
     def __bool__(self) -> bool: ...
 
 class Round:
     """A finished round."""
     @property
     def number(self) -> int:
-        """From 1."""
+        """Number of the round, from 1."""
     @property
-    def plan(self) -> Plan: ...
+    def plan(self) -> Plan:
+        """Plan of the round."""
     @property
-    def prediction(self) -> Prediction: ...
+    def prediction(self) -> Prediction:
+        """Predicted effect of the motion."""
     @property
-    def motion(self) -> Motion: ...
+    def motion(self) -> Motion:
+        """Planned motion."""
     @property
-    def audit(self) -> Audit: ...
+    def audit(self) -> Audit:
+        """Result of the independent check of the motion."""
     @property
-    def telemetry(self) -> Telemetry | None: ...
+    def telemetry(self) -> Telemetry | None:
+        """Telemetry of the motion; None if it was not recorded."""
     @property
-    def interpretation(self) -> Interpretation: ...
+    def interpretation(self) -> Interpretation:
+        """Interpretation of the measurements."""
     @property
     def performance(self) -> float:
-        """Expected, 0 to 1."""
+        """Expected performance, 0 to 1."""
     @property
     def interval(self) -> tuple[float, float]:
-        """Its 90 % interval."""
+        """90 % interval of the performance."""
     @property
-    def duration_s(self) -> float: ...
+    def duration_s(self) -> float:
+        """Duration of the executed motion."""
     @property
-    def ending(self) -> Literal["complete", "stopped", "ended early", "protective stop"]: ...
+    def ending(self) -> Literal["complete", "stopped", "ended early", "protective stop"]:
+        """How the motion ended."""
     @property
     def ending_cause(self) -> str | None:
         """Reason of an early end or a protective stop."""
@@ -497,17 +533,18 @@ class Round:
     def pauses(self) -> list[dict[str, Any]]:
         """Pauses of the motion: start_s, end_s (None if the motion ended in it), phase, reason."""
     @property
-    def verdict(self) -> str: ...
+    def verdict(self) -> str:
+        """Verdict after the round."""
     def _repr_svg_(self) -> str: ...
 
 class Telemetry:
     """Telemetry, an array per quantity; the arrays own the data recorded in Rust, without a copy."""
     @property
     def round(self) -> int:
-        """From 1; 0 for a log that does not state it."""
+        """Number of the round, from 1; 0 for a log that does not state it."""
     @property
     def time_s(self) -> Floats:
-        """(T)."""
+        """Times of the samples since the start of the motion or log, (T)."""
     @property
     def stroke(self) -> NDArray[np.int64]:
         """Number of the stroke, -1 outside strokes, (T)."""
@@ -516,10 +553,10 @@ class Telemetry:
         """Quality of force and moment: 0 ok, 1 stale, 2 saturated, 3 untared, (T)."""
     @property
     def world_from_tool(self) -> Floats:
-        """(T, 7)."""
+        """Poses of the tool, (T, 7)."""
     @property
     def world_from_commanded(self) -> Floats:
-        """(T, 7)."""
+        """Commanded poses of the tool, (T, 7)."""
     @property
     def force_n(self) -> Floats:
         """Force of the surroundings on the tool, in the axes of the world, (T, 3)."""
@@ -534,13 +571,13 @@ class Telemetry:
         """Moment that the controller commanded, about the tool centre point, (T, 3)."""
     @property
     def positions(self) -> Floats:
-        """(T, n), or (T, 0) if not measured [rad or m]."""
+        """Joint positions, (T, n), or (T, 0) if not measured [rad or m]."""
     @property
     def velocities(self) -> Floats:
-        """(T, n), or (T, 0) [rad/s or m/s]."""
+        """Joint velocities, (T, n), or (T, 0) [rad/s or m/s]."""
     @property
     def efforts(self) -> Floats:
-        """(T, n), or (T, 0) [Nm or N]."""
+        """Joint efforts, (T, n), or (T, 0) [Nm or N]."""
     @property
     def remarks(self) -> list[str]:
         """How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each."""
@@ -553,15 +590,16 @@ class Interpretation:
     """Estimates of contact, surface and dirt from poses and forces."""
     @property
     def performance(self) -> float:
-        """Expected, 0 to 1."""
+        """Expected performance, 0 to 1."""
     @property
     def interval(self) -> tuple[float, float]:
-        """Its 90 % interval."""
+        """90 % interval of the performance."""
     @property
     def performance_by_touch(self) -> float:
-        """Expected by touch alone, without camera observations."""
+        """Expected performance by touch alone, without camera observations, 0 to 1."""
     @property
-    def diagnosis(self) -> Literal["localized", "relocalize", "no contact", "hovering"]: ...
+    def diagnosis(self) -> Literal["localized", "relocalize", "no contact", "hovering"]:
+        """How the contacts fit the believed surface."""
     @property
     def world_from_surface(self) -> Floats:
         """Estimated pose of the surface, (7): by touch, if that differs from the believed pose."""
@@ -572,7 +610,8 @@ class Interpretation:
     def doubts(self) -> list[str]:
         """Reasons why the log may not show wiping of this surface, a sentence each."""
     @property
-    def events(self) -> list[WipingEvent]: ...
+    def events(self) -> list[WipingEvent]:
+        """Detected events."""
     @property
     def weights(self) -> Floats:
         """Probability of each member of the belief, (members)."""
@@ -654,9 +693,11 @@ class Memory:
     """Memory of episodes in a folder, created if necessary."""
     def __init__(self, folder: Path = "episodes") -> None: ...
     @property
-    def folder(self) -> PathLike[str]: ...
+    def folder(self) -> PathLike[str]:
+        """Folder of the memory."""
     @property
-    def episodes(self) -> list[str]: ...
+    def episodes(self) -> list[str]:
+        """Names of the episodes."""
     def ask(self, query: str) -> list[dict[str, Any]]:
         """Answer a query in Prolog, such as ``low_performance(Action, P)``: returns a dict per answer, from the names of
         its variables to values. ``wisch ask --list`` lists the predicates. Needs SWI-Prolog or wisch-prolog."""
@@ -679,15 +720,22 @@ class WipingWorlds:
         target: float,
         cost_per_m: float,
     ) -> None: ...
-    def reset(self, seeds: Sequence[int | None]) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
+    def reset(self, seeds: Sequence[int | None]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Begin new episodes in all worlds, and return density (n, rows, columns) and tool (n, 4). A seed starts a new sequence
+        of episodes; None continues the old one."""
     def step(
         self, actions: ArrayLike
-    ) -> tuple[NDArray[np.float32], NDArray[np.float32], Floats, NDArray[np.bool_], NDArray[np.bool_], Floats]: ...
-    def particles(self, world: int) -> Floats: ...
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], Floats, NDArray[np.bool_], NDArray[np.bool_], Floats]:
+        """Execute a stroke in each world, actions (n, 5), and return density, tool, rewards, terminated, truncated and
+        performance. A world whose episode is over begins its next one instead."""
+    def particles(self, world: int) -> Floats:
+        """Return the positions of the particles on the surface of a world, (k, 2) [m]."""
     @property
-    def performance(self) -> Floats: ...
+    def performance(self) -> Floats:
+        """Performance of each world, (n), 0 to 1."""
     @property
-    def reach(self) -> Floats: ...
+    def reach(self) -> Floats:
+        """Box of the strokes' starts and ends: smallest and largest x, y [m], (2, 2)."""
 
 def load_task(
     path: Path,

@@ -210,7 +210,7 @@ class RandomPolicy:
 class AdaptivePolicy:
     """Executes the strokes of an adaptive plan for the true particles, which a learner does not see.
 
-    It plans at the begin of an episode, and whenever its plan is finished. The plan's strokes bend and turn; they are executed
+    It plans at the beginning of an episode, and whenever its plan is finished. The plan's strokes bend and turn; they are executed
     as straight strokes, one per edge, with the mean yaw. ``evaluations`` is the number of plans that the search may evaluate.
     """
 

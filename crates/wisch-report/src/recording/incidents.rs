@@ -1,4 +1,4 @@
-//! What did not go as planned in a round: what happened, what shows it, what follows from it, and what to do.
+//! Incidents of a round: what did not go as planned, with measurements, consequence and advice.
 
 use super::samples::round_to;
 use super::words::format_count;
@@ -19,16 +19,16 @@ const KINDS: [EventKind; 4] = [
     EventKind::Overload,
 ];
 
-/// Something that did not go as planned.
+/// An event or a result that was not planned.
 #[derive(Debug, Serialize)]
 pub(super) struct Incident {
-    /// When it was first seen, in the round \[s\]; `None` if it concerns all of the round.
+    /// Time of its first detection, since the round began \[s\]; `None` if it concerns all of the round.
     pub(super) time: Option<f64>,
-    /// What happened.
+    /// Name of the incident.
     pub(super) title: String,
     /// The measurements that show it.
     pub(super) evidence: String,
-    /// What follows from it; empty if unknown.
+    /// Consequence for the estimate or the next rounds; empty if unknown.
     pub(super) effect: String,
     /// What a user can do about it; empty if nothing.
     pub(super) advice: String,

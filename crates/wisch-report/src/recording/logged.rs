@@ -74,7 +74,7 @@ pub struct LoggedOccurrence<'a> {
     pub is_collision: bool,
 }
 
-/// What the piece of a logged round has beside that of a planned one.
+/// Fields that only the piece of a logged round has.
 #[derive(Serialize)]
 pub(super) struct Log {
     events: Vec<EventRecord>,

@@ -1,4 +1,4 @@
-//! Why a plan looks as it does: what each stroke and one more stroke gain, how the tool is turned, where the base can stand.
+//! Reasons for a plan: the gain of each stroke and of one more stroke, the yaw of the tool, and rated base poses.
 
 use super::particles::{flat_remaining, line};
 use super::samples::{round_share, round_to};
@@ -47,7 +47,7 @@ pub(super) struct Repeated {
 /// Base poses that were rated, and the indices of the chosen ones.
 #[derive(Debug, Serialize)]
 pub(super) struct RatedBases {
-    /// x, y [m] and heading [rad] in the world, and share of the path in reach; `None` for a chosen base that was not among
+    /// x, y [m] and yaw [rad] in the world, and share of the path in reach; `None` for a chosen base that was not among
     /// the rated ones.
     poses: Vec<(f64, f64, f64, Option<f64>)>,
     chosen: Vec<usize>,

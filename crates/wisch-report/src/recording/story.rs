@@ -57,7 +57,7 @@ pub struct CommandOptions {
 /// How a session came to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stopping {
-    /// The policy decided so, or the limit of rounds is reached.
+    /// The termination policy ended the session, or the limit of rounds is reached.
     Decided,
     /// The observer stopped the session.
     Interrupted,
@@ -139,7 +139,7 @@ impl<'a> Ended<'a> {
 /// Why a run has no further round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum RunEnd {
-    /// The policy decided so: the verdict of the last round.
+    /// The termination policy ended the run, with the verdict of the last round.
     Verdict(Verdict),
     /// Too many points have more passes than the task allows.
     TooManyPasses,

@@ -42,7 +42,7 @@ const PROGRESS_ALLOWANCE: [f64; 2] = [1.3, 0.3];
 const PHASE_EDGE_S: f64 = 1e-4;
 /// Longest time between the stamps of a state and of a controller's time, from which the time of the state is computed [s].
 const MOST_APART_S: f64 = 0.1;
-/// Largest distance of a joint from the begin of a later goal of a motion [rad or m]: it fades within half a second.
+/// Largest distance of a joint from the start of a later goal of a motion [rad or m]: it fades within half a second.
 const MOST_OFFSET: f64 = 0.1;
 
 /// A goal that the robot executes.
@@ -320,7 +320,7 @@ impl<'a> MotionRun<'a> {
         )
     }
 
-    /// Checks how far joints and tool are from the begin of a goal: a goal fades this distance within half a second.
+    /// Checks how far joints and tool are from the start of a goal: a goal fades this distance within half a second.
     fn check_offset(&self, planned: &[f64]) -> Turned<()> {
         let limit = MOST_OFFSET.max(self.robot.file.limits.start_rad);
         let joints = planned.iter().zip(&self.latest.positions);
@@ -330,7 +330,7 @@ impl<'a> MotionRun<'a> {
                 return stop(
                     Kind::Tolerance,
                     format!(
-                        "joint {name:?} is {distance:.3} rad from the begin of the next goal, more than {limit} rad"
+                        "joint {name:?} is {distance:.3} rad from the start of the next goal, more than {limit} rad"
                     ),
                 );
             }
@@ -349,7 +349,7 @@ impl<'a> MotionRun<'a> {
             return stop(
                 Kind::Tolerance,
                 format!(
-                    "the tool is {distance:.3} m from the begin of the next goal, more than the greater of limits.lag_m and limits.depth_m, {limit} m"
+                    "the tool is {distance:.3} m from the start of the next goal, more than the greater of limits.lag_m and limits.depth_m, {limit} m"
                 ),
             );
         }

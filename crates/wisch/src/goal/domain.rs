@@ -67,7 +67,8 @@ impl Domain {
     ///
     /// The language is typed STRIPS with negation: `:types`, `:constants`, `:predicates`, and `:action`s. Preconditions
     /// are atoms that hold or do `not` hold, effects are atoms that are added or (`not`) deleted, and both may stand in
-    /// `forall`. An effect may also stand in `when`, whose condition are atoms that no action changes. PDDL ignores case, so all names are converted to lower case.
+    /// `forall`. An effect may also stand in `when`, whose condition consists of atoms that no action changes. PDDL ignores
+    /// case, so all names are converted to lower case.
     ///
     /// # Errors
     ///
@@ -231,7 +232,7 @@ impl Domain {
         })
     }
 
-    /// Rejects variables of `forall` that are too many, of an unknown type, or named like a parameter.
+    /// Rejects more than [`MAX_VARIABLES`] variables of `forall`, and variables of an unknown type or named like a parameter.
     fn check_variables(
         &self,
         source: Source<'_>,
@@ -250,7 +251,10 @@ impl Domain {
 
     /// Rejects an atom whose predicate is not declared or does not take its arguments.
     ///
-    /// `known`: the declared names with their types; `noun`: what an unknown name that is no parameter should be.
+    /// - `at`: offset of the atom in the text [bytes].
+    /// - `words`: the predicate, then its arguments.
+    /// - `noun`: kind of an unknown name in the error, such as `constant`, if the name is no parameter.
+    /// - `known`: the declared names with their types.
     pub(super) fn check<'n, I: Iterator<Item = (&'n str, &'n str)>>(
         &self,
         source: Source<'_>,
@@ -282,7 +286,7 @@ impl Domain {
         Ok(())
     }
 
-    /// Returns the parameters of an atom's predicate, which are as many as its arguments.
+    /// Returns the parameters of an atom's predicate. Rejects an unknown predicate and a wrong number of arguments.
     pub(super) fn parameters(
         &self,
         source: Source<'_>,
@@ -329,7 +333,7 @@ impl Domain {
     }
 }
 
-/// Names with their positions.
+/// Returns names with their offsets in the text [bytes].
 fn names(list: &[Typed]) -> impl Iterator<Item = (&str, usize)> {
     list.iter().map(|typed| (typed.name.as_str(), typed.at))
 }
@@ -375,6 +379,7 @@ fn definition<'f>(source: Source<'_>, form: &'f Form) -> Result<(&'f str, &'f [F
 /// The sections of a definition with their contents, by keyword.
 type Sections<'f> = HashMap<&'f str, Vec<(&'f Form, &'f [Form])>>;
 
+/// Groups the sections of a definition by keyword. Rejects unknown, unsupported and repeated sections.
 fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, GoalError> {
     let mut sections = Sections::new();
     for form in forms {

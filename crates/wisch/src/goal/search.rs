@@ -10,10 +10,10 @@ use super::syntax::{Atom, Literal};
 
 /// Name in errors of the planning problem.
 const DERIVED: &str = "problem derived from the goal";
-/// Largest work of binding actions, and of a search: number of objects tried, facts checked and actions tried; each takes
-/// about a second.
+/// Largest number of search steps for binding actions, and for a search without costs: objects tried, facts checked and actions
+/// tried. Each of the two takes about a second.
 const MAX_WORK: usize = 5_000_000;
-/// Largest work of a search on numbered facts with costs, whose steps are cheaper.
+/// Largest number of search steps on numbered facts with costs, which are faster.
 const MAX_COSTED_WORK: usize = 100_000_000;
 
 /// A predicate or an action with its arguments, all of which are objects.
@@ -40,7 +40,7 @@ pub(super) trait StepCosts {
     }
 }
 
-/// Every step costs the same, and nothing is estimated in advance: the search is breadth-first.
+/// Equal costs of all steps, with a lower bound of 0: the search is breadth-first.
 struct UnitCosts;
 
 impl StepCosts for UnitCosts {
@@ -94,9 +94,10 @@ struct Node {
 struct GroundProblem<'a> {
     actions: Vec<GroundAction<'a>>,
     start: Facts,
-    /// Facts of the goal, whether each is to hold, and the least cost of reaching it, which no action reaches twice.
+    /// Facts of the goal, whether each is to hold, and a lower bound of the cost of reaching it. An action that reaches several of
+    /// them shares its cost among them.
     goal: Vec<(usize, bool, f64)>,
-    /// Whether a fact of the goal that no action changes is not as it should be.
+    /// Whether no action changes a fact of the goal that does not have the wanted value.
     is_out_of_reach: bool,
 }
 
@@ -144,7 +145,8 @@ impl<'a> Problem<'a> {
         }))
     }
 
-    /// Numbers the facts and binds the actions.
+    /// Numbers the facts that actions change, and binds the actions. `reachable`: the facts that can become true; `work`: number
+    /// of search steps so far.
     fn ground(
         &self,
         reachable: &BTreeSet<Fact<'a>>,
@@ -496,7 +498,7 @@ impl GroundProblem<'_> {
         Ok(None)
     }
 
-    /// Lower bound of the cost from a state to the goal.
+    /// Returns a lower bound of the cost from a state to the goal.
     fn remaining(&self, facts: &Facts) -> f64 {
         let open = self
             .goal

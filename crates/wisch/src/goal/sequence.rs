@@ -1,4 +1,4 @@
-//! Goals of several parts: in which order surfaces are wiped, and which tools are fetched for it.
+//! Goals of several parts: the order of the wiping steps, and the tools that are fetched for them.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -116,14 +116,14 @@ impl fmt::Display for Wiping {
     }
 }
 
-/// A place at which a step is carried out.
+/// The place at which a step is carried out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepPlace<'a> {
     /// Where the robot stands before the first step.
     Start,
     /// At a surface, by its name.
     Surface(&'a str),
-    /// Where a tool is fetched, put back and emptied, by the tool's name.
+    /// At the place in the rack where a tool is fetched, put back and emptied, by the tool's name.
     Rack(&'a str),
 }
 
@@ -191,7 +191,7 @@ pub struct MediumOnSurface {
     pub surface: String,
 }
 
-/// The symbolic state: the facts that hold, and the objects that there are.
+/// The symbolic state: the objects, and the facts that hold.
 #[derive(Debug, Clone)]
 pub struct Situation<'a> {
     domain: &'a Domain,
@@ -204,14 +204,21 @@ pub struct Situation<'a> {
 }
 
 impl<'a> Situation<'a> {
-    /// Makes the state before the first step. Facts without a predicate in the domain are left out.
+    /// Creates the state before the first step.
     ///
+    /// - `domain`: the actions and predicates. Facts without a predicate in the domain are left out.
+    /// - `knowledge`: kinds of media, and the tools that can perform an action on a medium and a surface.
+    /// - `goal`: its parts decide which media are treatments.
     /// - `media`: the media on the surfaces, and those of treatments, which the tool brings along.
     /// - `tool_in_hand`, `tools`: the tool in the hand, and those that the robot can fetch.
     ///
-    /// The facts: what the hand holds; `(on m s)` for every medium that lies on a surface; `(wet s)` while a liquid lies on s;
-    /// `(in-way d m s)` where d is loose dirt and m a liquid, or d is polish and m a coat; `(under d m s)` where d is dirt and m
-    /// the medium of a treatment, under which no heap may lie; and `(can-action tool medium surface)` as the knowledge base has them.
+    /// The facts:
+    ///
+    /// - `(holding t)` or `(hand-empty)`.
+    /// - `(on m s)` for every medium m that lies on a surface s, and `(wet s)` while a liquid lies on s.
+    /// - `(in-way d m s)` where d is loose dirt and m a liquid, or d is polish and m a coat.
+    /// - `(under d m s)` where d is dirt and m the medium of a treatment, under which no heap may lie.
+    /// - `(can-ACTION t m s)` if the tool t can perform the action, by the knowledge base.
     ///
     /// # Errors
     ///
@@ -277,7 +284,7 @@ impl<'a> Situation<'a> {
         Ok(situation)
     }
 
-    /// Derives which surfaces are wet.
+    /// Derives the facts `(wet s)` from the liquids on the surfaces.
     fn wet(&mut self) {
         self.facts.retain(|fact| fact[0] != WET);
         let liquids = self.liquids.clone();
@@ -291,7 +298,8 @@ impl<'a> Situation<'a> {
         }
     }
 
-    /// Replaces the fact that a surface is not wet by those that no liquid lies on it; each fact with whether it is to hold.
+    /// Returns the facts that a part of a goal states, each with whether it is to hold. That a surface is not wet means that no
+    /// liquid lies on it.
     fn expand(&self, holds: bool, part: &GoalLiteral) -> Vec<(bool, Vec<String>)> {
         let part = with_declared_predicate(part, self.domain);
         match part.arguments() {
@@ -333,8 +341,8 @@ impl<'a> Situation<'a> {
         self.apply_where(step, |_| true);
     }
 
-    /// Applies the effects of a step that was carried out, but missed its goal: those on tools, such as that a sponge is
-    /// loaded, and those on what else lies on the surface.
+    /// Applies the effects of a step that was carried out, but missed its goal: the effects on tools, such as a loaded sponge, and
+    /// on the remaining media of the surface.
     pub fn apply_missed(&mut self, step: &Step) {
         let medium = step.wiping.as_ref().map(|wiping| wiping.medium.clone());
         self.apply_where(step, |fact| {
@@ -365,7 +373,7 @@ impl<'a> Situation<'a> {
         self.wet();
     }
 
-    /// Rules a wiping action out from now on: the fact that the tool can do it no longer holds.
+    /// Rules a wiping action out from now on: removes the fact that the tool can perform it.
     pub fn rule_out(&mut self, wiping: &Wiping) {
         let Wiping {
             action,
@@ -377,7 +385,9 @@ impl<'a> Situation<'a> {
             .remove(&owned(&[&format!("can-{action}"), tool, medium, surface]));
     }
 
-    /// Notes that the strokes of a wiping action pass over what was collected of another medium on the same surface.
+    /// Notes that the strokes of a wiping action pass over the collected dirt of another medium on the same surface.
+    ///
+    /// `collected`: name of that medium.
     pub fn note_sweep(&mut self, wiping: &Wiping, collected: &str) {
         let Wiping {
             tool,
@@ -388,7 +398,9 @@ impl<'a> Situation<'a> {
         self.add(["sweeps", tool, medium, collected, surface]);
     }
 
-    /// Notes that what was collected of a medium on a surface was wiped over.
+    /// Notes that the collected dirt of a medium was wiped over, so that it no longer counts as collected.
+    ///
+    /// `collected`: name of the medium; `surface`: name of the surface.
     pub fn note_spoiled(&mut self, collected: &str, surface: &str) {
         self.facts
             .remove(&owned(&["collected", collected, surface]));
@@ -442,7 +454,7 @@ impl<'a> Situation<'a> {
         all
     }
 
-    /// Returns the wiping actions that a tool can do with a medium on a surface.
+    /// Returns the wiping actions that a tool of the situation can perform on a medium and its surface.
     fn capable(&self, on: &MediumOnSurface) -> Vec<Wiping> {
         let mut found = Vec::new();
         for action in Action::ALL {
@@ -537,7 +549,7 @@ impl<'a> Situation<'a> {
     /// # Errors
     ///
     /// [`GoalError::Text`] for a predicate that is not in the domain or an object that is not in the situation, and
-    /// [`GoalError::TooLarge`] if the search would take more than about a second.
+    /// [`GoalError::TooLarge`] if the search exceeds its limit of search steps.
     pub fn plan(
         &self,
         goal: &CompoundGoal,
@@ -621,7 +633,7 @@ impl<'a> Situation<'a> {
         self.problem(vec![(true, as_fact(&part.words))]).check()
     }
 
-    /// The places of steps, the present one first.
+    /// Returns the places of steps: the present one, then all surfaces and racks.
     fn places<'p>(&'p self, present: StepPlace<'p>) -> Vec<StepPlace<'p>> {
         let places = self.objects.iter().filter_map(|(name, kind)| match *kind {
             "tool" => Some(StepPlace::Rack(name)),
@@ -632,7 +644,7 @@ impl<'a> Situation<'a> {
     }
 }
 
-/// Binds the parameters of a wiping action; `None` if it has others than tool, medium and surface.
+/// Binds the parameters of a wiping action; `None` if a parameter is neither a tool, a medium nor a surface.
 fn bind<'p>(schema: &Schema, wiping: &'p Wiping) -> Option<Vec<&'p str>> {
     let objects = schema
         .parameters
@@ -649,6 +661,7 @@ fn bind<'p>(schema: &Schema, wiping: &'p Wiping) -> Option<Vec<&'p str>> {
 /// A part of a goal with the facts that it states.
 type Reached<'a> = (&'a (bool, GoalLiteral), Vec<(bool, Fact<'a>)>);
 
+/// Returns the facts of all parts.
 fn join<'a>(parts: &[Reached<'a>]) -> Vec<(bool, Fact<'a>)> {
     let facts = parts.iter().flat_map(|(_, facts)| facts.clone());
     facts.collect()
@@ -661,6 +674,7 @@ fn as_fact(words: &[String]) -> Fact<'_> {
 /// The times of steps as costs of the search.
 struct Times<'a> {
     situation: &'a Situation<'a>,
+    /// All places; the search names them by their index.
     places: Vec<StepPlace<'a>>,
     /// Wiping actions that may serve the goal; others only make the search longer.
     possible: BTreeSet<Wiping>,
@@ -679,7 +693,8 @@ impl Times<'_> {
         })
     }
 
-    /// Time of a step without the way to it, and the place at which it is carried out.
+    /// Returns the time of a step without the way to its place [s], and the index of its place. `present`: index of the place of
+    /// the step before, which applies to a step without a place.
     fn at_place(&self, words: &[&str], present: usize) -> (Option<f64>, usize) {
         if let Some(wiping) = self.wiping(words) {
             let place = StepPlace::Surface(&wiping.surface);
@@ -712,17 +727,19 @@ impl StepCosts for Times<'_> {
     }
 }
 
-/// Predicate of a surface on which a liquid lies, which no action states.
+/// Predicate of a surface on which a liquid lies; no action has it as an effect.
 const WET: &str = "wet";
-/// Predicates of what has to be wiped before something else, and of what has to be off the surface.
+/// Predicate of a medium that has to be wiped before another one.
 const IN_WAY: &str = "in-way";
+/// Predicate of a medium that has to be off the surface before a treatment.
 const UNDER: &str = "under";
-/// Loose dirt goes first, then liquids, then treatments, of which a coat goes last.
+/// Ranks of media, in the order of wiping: loose dirt, liquids, polish, and coats.
 const LOOSE: u8 = 0;
 const LIQUID: u8 = 1;
 const TREATMENT: u8 = 2;
 const COAT: u8 = 3;
 
+/// Returns the rank of a medium on a surface. The goal decides whether it is a treatment.
 fn rank(
     knowledge: &KnowledgeBase,
     goal: &CompoundGoal,

@@ -51,8 +51,8 @@ pub struct Uncertainty {
     /// declaration \[1\]; the remaining ones take the force as measured.
     pub rescaled_share: f64,
     /// Share of the members that take a log for misread \[1\], if it shows no contact although the tool was near the surface,
-    /// or if a doubt about it is decisive. In these members the tool touched wherever it was low; in half of them, it
-    /// touched nothing if the log shows contact.
+    /// or if a doubt about it is decisive. In these members the tool touched wherever it was within 20 mm of the surface; if
+    /// the log shows contact, the tool touched nothing in half of them.
     pub misread_share: f64,
     /// Standard deviation of a performance that the model does not explain \[1\].
     pub model_share: f64,

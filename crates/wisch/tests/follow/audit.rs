@@ -133,7 +133,7 @@ fn a_tool_beside_short_of_or_turned_from_its_line_is_off_it() {
     }
     assert_only(&faults(&high), &OFF_LINE);
 
-    // It stops before the end, or begins after the begin.
+    // It stops before the end, or begins after the start.
     for reversed in [false, true] {
         let mut short = good();
         let line = &mut wipe(&mut short.followed).tool_line;

@@ -96,7 +96,7 @@ fn velocities_are_checked_without_positions() {
 
 #[test]
 fn a_motion_does_not_begin_while_the_robot_moves() {
-    /// A robot at the begin of the motion that still moves.
+    /// A robot at the start of the motion that still moves.
     struct Moving(f64);
 
     impl Executor for Moving {

@@ -125,7 +125,9 @@ fn run_args(args: &GoalEvaluationArgs, seed: u64, folder: &Path) -> Result<Cli, 
 fn evaluate(args: &GoalEvaluationArgs, seed: u64, folder: &Path) -> Result<GoalRunScore, Failure> {
     let cli = run_args(args, seed, folder)?;
     let Command::Run(WipeArgs { follow, rounds, .. }) = &cli.command else {
-        return Err(internal("a run is not read as one"));
+        return Err(internal(
+            "the arguments of `wisch run` were parsed as another command",
+        ));
     };
     let summary = hush(|| run_goal(follow, rounds, &cli.global))?;
     Ok(GoalRunScore {

@@ -17,15 +17,23 @@ use wisch_record::{RunClock, begin_episode};
 const GRASP: &str = "grasp";
 const RELEASE: &str = "release";
 
-/// The memory that keeps a goal, and the names of the episodes of its wiping steps, by number.
+/// The episode of a goal before it is kept.
 pub struct GoalEpisode {
+    /// Folder of the memory.
     pub memory: PathBuf,
+    /// When the command began.
     pub clock: RunClock,
+    /// Names of the episodes of the wiping steps, by number of the step.
     pub step_episodes: BTreeMap<usize, String>,
 }
 
 impl GoalEpisode {
-    /// Keeps the steps that were taken; returns the folder of the episode, `None` if no wiping step was taken.
+    /// Writes the episode to the memory. Returns its folder; `None` if no wiping step was taken.
+    ///
+    /// `file`: the task; `summary`: the steps that were taken.
+    ///
+    /// # Errors
+    /// If the task does not fit the knowledge base, or the memory cannot be written.
     pub fn keep(self, file: &GoalFile, summary: &GoalSummary) -> Result<Option<PathBuf>, Failure> {
         let Some(first) = summary.steps.iter().find_map(|step| step.summary.as_ref()) else {
             return Ok(None);
@@ -95,13 +103,13 @@ impl GoalEpisode {
     }
 }
 
-/// Returns the number of the wiping step whose results are in a folder.
+/// Returns the number of the wiping step whose results are in a folder, such as 2 for `step-2`; `None` for another folder.
 pub fn read_step_number(folder: &Path) -> Option<usize> {
     let name = folder.file_name()?.to_str()?;
     name.strip_prefix("step-")?.parse().ok()
 }
 
-/// Returns name and tool of a step that is no wiping action, such as `grasp` and `sponge`.
+/// Returns name and tool of a step that does not wipe, such as `grasp` and `sponge`.
 fn split_handling(step: &TakenStep) -> (&str, Option<&str>) {
     let mut words = step.step.trim_matches(['(', ')']).split(' ');
     (words.next().unwrap_or_default(), words.next())
@@ -146,6 +154,7 @@ fn find_served_parts<'a>(
     served.collect()
 }
 
+/// Describes a step, without the parts that it serves and without its episode. `wiping`: the wiping action of the step.
 fn describe(step: &TakenStep, wiping: Option<&Wiping>) -> RememberedStep {
     let (name, tool) = split_handling(step);
     let kind = match (wiping, name) {
@@ -170,6 +179,7 @@ fn describe(step: &TakenStep, wiping: Option<&Wiping>) -> RememberedStep {
     }
 }
 
+/// Returns whether the goal of a wiping step was met.
 fn outcome_of(step: &TakenStep) -> GoalOutcome {
     let stated = (step.summary.as_ref()).and_then(|summary| summary.prediction.as_ref());
     match (step.goal_met, stated.map(|stated| stated.goal)) {

@@ -19,10 +19,10 @@ use wisch::goal::{GoalLiteral, Sequence, Situation, Step, StepPlace, StepTimes, 
 use wisch::represent::Action;
 use wisch_io::{PARTICLES_ESTIMATED_FILE, PARTICLES_TRUE_FILE, path_in_results};
 
-/// How often a wiping action is tried before another one is planned for.
+/// Number of tries of a wiping action before it is ruled out.
 const TRIES: u32 = 2;
 
-/// A command over the steps of a goal.
+/// A run of the steps of a goal.
 pub struct GoalRun<'a> {
     task: &'a GoalTask<'a>,
     situation: Situation<'a>,
@@ -36,16 +36,17 @@ pub struct GoalRun<'a> {
     last: BTreeMap<[String; 2], PathBuf>,
     /// Times of the motions of wiping actions that reached their goals, with all their tries [s].
     taken: BTreeMap<Wiping, f64>,
-    /// What was collected: action, number of the step, and places in the frame of the surface [m].
+    /// The collected dirt: action, number of the step, and particle positions in the frame of the surface [m].
     heaps: Vec<(Wiping, usize, Vec<Point2>)>,
     /// Collected media that were wiped over, on their surfaces, with the reason.
     spoiled: BTreeMap<[String; 2], String>,
+    /// Time of the steps so far [s].
     clock: f64,
     /// Computation time of the sequences.
     ordering: Duration,
 }
 
-/// Step times as they were taken; actions that were not taken, or missed their goals, have none.
+/// Actual times of the wiping actions; an action that was not executed, or missed its goal, has none.
 struct TakenTimes<'a> {
     task: &'a GoalTask<'a>,
     wipings: &'a BTreeMap<Wiping, f64>,
@@ -66,7 +67,12 @@ impl StepTimes for TakenTimes<'_> {
 }
 
 impl<'a> GoalRun<'a> {
-    /// Begins before the first step. `is_executed`: whether steps are executed; otherwise each is assumed to succeed.
+    /// Creates the run before its first step.
+    ///
+    /// `is_executed`: whether steps are executed; otherwise each is assumed to succeed. `out`: folder of results.
+    ///
+    /// # Errors
+    /// If the task does not fit the knowledge base.
     pub fn begin(task: &'a GoalTask<'a>, is_executed: bool, out: PathBuf) -> Result<Self, Failure> {
         Ok(Self {
             task,
@@ -85,7 +91,13 @@ impl<'a> GoalRun<'a> {
         })
     }
 
-    /// Takes the steps. `wipe` executes a wiping step, with its arguments and the folder of its results.
+    /// Executes the steps, and plans anew after a step that missed its goal.
+    ///
+    /// `wipe`: executes a wiping step, with its arguments and the folder of its results. Returns the summary, and the failure of
+    /// a step that ended the run.
+    ///
+    /// # Errors
+    /// If planning fails, or if `wipe` fails before any wiping step is finished.
     pub fn run(
         mut self,
         wipe: &mut dyn FnMut(&TaskArgs, &Path) -> Result<SurfaceOutcome, Failure>,
@@ -115,7 +127,7 @@ impl<'a> GoalRun<'a> {
                     }
                     let place = self.out.display();
                     remark(&format!(
-                        "the steps before it are finished and kept in {place}"
+                        "the steps before step {number} are finished, and their results are in {place}"
                     ));
                     broken = Some(failure);
                     break;
@@ -163,7 +175,9 @@ impl<'a> GoalRun<'a> {
         Ok((self.finish(expected_s), broken))
     }
 
-    /// Counts a try whose goal was not met, and rules actions out that are not to be tried again.
+    /// Counts a try whose goal was not met, and rules out the actions that shall not be tried again.
+    ///
+    /// `has_moved`: whether the robot executed a motion in this try.
     fn note_failure(&mut self, wiping: &Wiping, has_moved: bool) {
         let is_unknown = self.steps.last().is_some_and(TakenStep::is_unknown);
         let tried = self.tries.entry(wiping.clone()).or_default();
@@ -203,8 +217,8 @@ impl<'a> GoalRun<'a> {
         ));
     }
 
-    /// Remembers what a step has collected, and finds out whether its strokes passed over what earlier steps have collected
-    /// there.
+    /// Notes the dirt that a step has collected, and checks whether its strokes passed over dirt that earlier steps collected on
+    /// this surface.
     fn check_heaps(
         &mut self,
         wiping: &Wiping,
@@ -237,7 +251,7 @@ impl<'a> GoalRun<'a> {
         Ok(())
     }
 
-    /// Plans the steps from here on.
+    /// Plans the remaining steps from the present situation and place.
     fn plan_on(&mut self) -> Result<Sequence, Failure> {
         let last = self.steps.last().map(|step| step.place());
         let place = match &last {
@@ -251,7 +265,7 @@ impl<'a> GoalRun<'a> {
         sequence
     }
 
-    /// Settings for the dirt that an earlier attempt has left, which a camera observes before the next one.
+    /// Returns settings of the task for the dirt that an earlier attempt has left; none without an earlier attempt.
     fn remaining(&self, wiping: &Wiping) -> Vec<(&'static str, String)> {
         let on = [wiping.medium.clone(), wiping.surface.clone()];
         let Some(earlier) = self.last.get(&on) else {
@@ -275,6 +289,7 @@ impl<'a> GoalRun<'a> {
         settings
     }
 
+    /// Adds a step to those that were taken. `took`: its time [s].
     fn note(&mut self, step: &Step, took: f64, wiped: Option<SurfaceOutcome>, earlier_tries: u32) {
         self.steps.push(TakenStep {
             step: step.to_string(),
@@ -292,6 +307,7 @@ impl<'a> GoalRun<'a> {
         self.clock += took;
     }
 
+    /// Returns the summary. `expected_s`: expected time of the first sequence [s].
     fn finish(self, expected_s: f64) -> GoalSummary {
         let file = self.task.file;
         let best_order = self.find_best_order();
@@ -350,7 +366,7 @@ impl<'a> GoalRun<'a> {
         }
     }
 
-    /// Returns the time of the best order of the steps that reached their goals, had their times been known before.
+    /// Returns the least time of any order of the steps that reached their goals, with the times that they took [s].
     fn find_best_order(&self) -> Option<f64> {
         let taken = TakenTimes {
             task: self.task,
@@ -361,7 +377,8 @@ impl<'a> GoalRun<'a> {
         sequence.ok().map(|sequence| sequence.time())
     }
 
-    /// Explains why no step reaches a fact: by the actions for its objects that are impossible, else by `reason`.
+    /// Explains why no step reaches a fact: by the actions that could reach it and are impossible or failed, otherwise by
+    /// `reason`.
     fn explain(&self, fact: &GoalLiteral, reason: &str) -> String {
         let names = fact.arguments();
         let of_fact = self.task.expected.iter().filter_map(|(wiping, expected)| {

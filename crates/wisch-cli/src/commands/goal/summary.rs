@@ -1,4 +1,4 @@
-//! What a command for a goal of several parts reports: as JSON, in words, and as a page.
+//! The report of a command for a goal of several parts: as JSON, in words, and as a page.
 
 use super::super::patches::performance_of;
 use super::super::words::counted;
@@ -9,9 +9,11 @@ use wisch_io::Summary;
 
 /// The schema of the object.
 pub const SCHEMA: u32 = 1;
-/// Assumed times of fetching or putting back a tool, and of emptying one [s], and speed of ways between places [m/s].
+/// Assumed time to fetch a tool, or to put it back [s].
 pub const CHANGE: f64 = 10.0;
+/// Assumed time to empty a tool [s].
 pub const EMPTY: f64 = 20.0;
+/// Assumed speed of ways between surfaces and rack [m/s].
 pub const SPEED: f64 = 0.3;
 
 /// A step that a command has taken.
@@ -21,13 +23,14 @@ pub struct TakenStep {
     pub step: String,
     /// The part of the goal that the wiping step serves; null for other steps.
     pub part: Option<String>,
-    /// What it does, in words.
+    /// The step in words, such as `fetch sponge`.
     pub words: String,
     /// Expected time, with the way to its place [s].
     pub expected_s: f64,
-    /// Time since the first step at which it began [s].
+    /// Start of the step, since the start of the first step [s].
     pub began_s: f64,
-    /// Its time [s]: of a wiping step the motions, with the expected way to its place; of others as expected.
+    /// Actual time [s]: of a wiping step that of its motions and the expected way to its place; of other steps the expected
+    /// time.
     pub took_s: f64,
     /// Whether the goal of the wiping step is met; null for other steps.
     pub goal_met: Option<bool>,
@@ -40,6 +43,7 @@ pub struct TakenStep {
 /// A part of the goal.
 #[derive(Serialize)]
 pub struct GoalPart {
+    /// The part in PDDL, such as `(absorbed water table)`.
     pub part: String,
     /// Whether it holds after the last step, as far as is known.
     pub holds: bool,
@@ -47,24 +51,31 @@ pub struct GoalPart {
     pub left_out: Option<String>,
 }
 
-/// What is expected of an action that may serve the goal.
+/// The expected time and performance of an action that may serve the goal.
 #[derive(Serialize)]
 pub struct ExpectedAction {
+    /// The action in words, such as `absorb water on table with sponge`.
     pub wiping: String,
-    /// Time of a round [s], expected number of rounds, and predicted performance of a round; null if it is impossible.
+    /// Time of a round [s]; null if the action is impossible.
     pub round_s: Option<f64>,
+    /// Expected number of rounds; null if the action is impossible.
     pub rounds: Option<f64>,
+    /// Predicted performance of a round, in [0, 1]; null if the action is impossible.
     pub predicted: Option<f64>,
-    /// Why it is impossible; null if it is possible.
+    /// Why the action is impossible; null if it is possible.
     pub impossible: Option<String>,
 }
 
-/// What a command for a goal of several parts has found.
+/// The results of a command for a goal of several parts; the object of `--json` and of `steps.json`.
 #[derive(Serialize)]
 pub struct GoalSummary {
+    /// Name of the format.
     pub format: &'static str,
+    /// Schema of the object.
     pub schema: u32,
+    /// Name of the task.
     pub task: String,
+    /// The goal in PDDL.
     pub goal: String,
     /// Whether every part of the goal holds, as far as is known.
     pub goal_met: bool,
@@ -78,31 +89,38 @@ pub struct GoalSummary {
     pub took_s: f64,
     /// Time to compute the order of the steps [s].
     pub ordering_s: f64,
-    /// Time of the best order of the steps that reached their goals, had their times been known before [s].
+    /// Least time of any order of the steps that reached their goals, with the times that they took [s]; null if none is found.
     pub best_order_s: Option<f64>,
-    /// Assumed times of steps without a motion [s], and assumed speed of ways between places [m/s].
+    /// Assumed times and speed.
     pub assumed: AssumedTimes,
+    /// The parts of the goal, in its order.
     pub parts: Vec<GoalPart>,
+    /// The steps, in the order of their execution.
     pub steps: Vec<TakenStep>,
+    /// The actions that may serve the goal.
     pub expected_actions: Vec<ExpectedAction>,
+    /// Folder of the results.
     pub out: String,
 }
 
-/// Assumed times of steps without a motion.
+/// Assumed times of steps without a motion, and assumed speed of ways.
 #[derive(Serialize)]
 pub struct AssumedTimes {
+    /// Time to fetch a tool, or to put it back [s].
     pub fetch_or_put_back_s: f64,
+    /// Time to empty a tool [s].
     pub empty_s: f64,
+    /// Speed of ways between surfaces and rack [m/s].
     pub speed_m_per_s: f64,
 }
 
 impl TakenStep {
-    /// Whether it is a wiping step whose estimate leaves open whether its goal is met.
+    /// Whether it is a wiping step, and its estimate leaves open whether its goal is met.
     pub fn is_unknown(&self) -> bool {
         (self.summary.as_ref()).is_some_and(|summary| is_unknown(summary, self.goal_met))
     }
 
-    /// Whether the step ended at a surface, and the name of the surface or tool.
+    /// Returns where the step ended: `true` and the name of a surface, or `false` and the name of a tool in the rack.
     pub fn place(&self) -> (bool, String) {
         match &self.summary {
             Some(summary) => (true, summary.surface.clone()),
@@ -114,7 +132,10 @@ impl TakenStep {
     }
 }
 
-/// Time of the motions of a wiping step, as executed, else as planned [s]; without a robot at the assumed speed.
+/// Returns the time of the motions of a wiping step [s].
+///
+/// `is_executed`: whether steps are executed. The time is then measured, and 0 if nothing moved. Otherwise it is that of the
+/// planned motion; without a robot, the path length over [`SPEED`].
 pub fn time_of(summary: &Summary, is_executed: bool) -> f64 {
     match (&summary.execution, &summary.following) {
         (Some(execution), _) => execution.total(|round| round.execution_time_s),
@@ -125,7 +146,7 @@ pub fn time_of(summary: &Summary, is_executed: bool) -> f64 {
     }
 }
 
-/// A step in words.
+/// Describes a step in words, such as `fetch sponge`.
 pub fn describe_step(step: &Step) -> String {
     match (&step.wiping, step.name()) {
         (Some(wiping), _) => wiping.to_string(),
@@ -135,12 +156,13 @@ pub fn describe_step(step: &Step) -> String {
     }
 }
 
+/// Describes a sequence in one line: number of steps, expected time, the steps, and the parts that are left out with reasons.
 pub fn describe_sequence(sequence: &Sequence) -> String {
     let steps: Vec<String> = sequence.steps.iter().map(describe_step).collect();
     let mut text = match steps.len() {
         0 => "no step is needed".to_owned(),
         count => format!(
-            "{} in {:.0} s as expected: {}",
+            "{}, {:.0} s expected: {}",
             counted(count, "step"),
             sequence.time(),
             steps.join(", ")
@@ -152,11 +174,12 @@ pub fn describe_sequence(sequence: &Sequence) -> String {
     text
 }
 
+/// Whether it is unknown if the goal of a wiping step is met.
 fn is_unknown(summary: &Summary, is_met: Option<bool>) -> bool {
     is_met != Some(true) && (summary.prediction).is_some_and(|found| found.goal == "unknown")
 }
 
-/// The performance of a wiping step, and whether its goal is met, if that is known.
+/// Describes the performance of a wiping step, and whether its goal is met.
 fn describe_result(summary: &Summary, is_met: Option<bool>) -> String {
     let performance = performance_of(summary);
     match is_met {
@@ -173,7 +196,7 @@ impl GoalSummary {
         self.goal_met
     }
 
-    /// The summary for people.
+    /// Formats the summary for people.
     pub fn in_words(&self) -> String {
         let mut text = format!("{}: {}\n", self.task, self.goal);
         let mut add = |name: &str, value: String| text += &format!("  {name:<18} {value}\n");
@@ -220,7 +243,7 @@ impl GoalSummary {
         text
     }
 
-    /// The page over all steps, which links to those of the wiping steps.
+    /// Returns an HTML page over all steps, which links to the pages of the wiping steps.
     pub fn page(&self) -> String {
         let rows: Vec<wisch_report::StepRow> = (self.steps.iter().zip(1..))
             .map(|(step, number)| wisch_report::StepRow {

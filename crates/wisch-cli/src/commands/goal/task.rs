@@ -1,4 +1,4 @@
-//! The wiping actions that may serve a goal of several parts, and what is expected of each.
+//! The wiping actions that may serve a goal of several parts, with their expected times.
 
 use super::super::follow::{Chosen, read_robot, workcell_config};
 use super::super::prepare::{load, stage_failure};
@@ -19,7 +19,7 @@ use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot};
 /// Least predicted performance at which further rounds are expected to reach a target [1].
 const LEAST_PREDICTED: f64 = 0.05;
 
-/// What is expected of a wiping action.
+/// The expectation of a wiping action.
 #[derive(Debug, Clone)]
 pub(super) enum Expected {
     /// It is expected to reach its target.
@@ -28,14 +28,14 @@ pub(super) enum Expected {
         round_s: f64,
         /// Expected number of rounds.
         rounds: f64,
-        /// Predicted performance of a round.
+        /// Predicted performance of a round [1].
         predicted: f64,
     },
-    /// It cannot be done, for this reason.
+    /// It is impossible, for this reason.
     Impossible(String),
 }
 
-/// A task with a goal of several parts, and what is expected of the actions that may serve it.
+/// A task with a goal of several parts, and the expectations of the actions that may serve it.
 pub struct GoalTask<'a> {
     pub(super) args: &'a TaskArgs,
     pub(super) file: &'a GoalFile,
@@ -43,15 +43,18 @@ pub struct GoalTask<'a> {
     /// Origins of the surfaces in the world [m].
     surfaces: BTreeMap<String, [f64; 3]>,
     has_robot: bool,
-    /// Target performances of the actions.
+    /// Target performances of the actions [1].
     targets: BTreeMap<Wiping, f64>,
     /// Actions whose dirt a camera observes.
     pub(super) observed: BTreeSet<Wiping>,
-    /// The strokes that are expected of the possible actions, and what they collect.
+    /// The planned strokes of the possible actions, and the dirt that they are predicted to collect.
     swept: BTreeMap<Wiping, SweptSurface>,
 }
 
-/// Reads the task, if its goal has several parts.
+/// Reads the task if its goal has several parts; otherwise returns `None`.
+///
+/// # Errors
+/// If the task file cannot be read or is invalid.
 pub fn read_goal(args: &TaskArgs) -> Result<Option<GoalFile>, Failure> {
     let options = LoadOptions {
         settings: args.settings.clone(),
@@ -64,7 +67,12 @@ pub fn read_goal(args: &TaskArgs) -> Result<Option<GoalFile>, Failure> {
 }
 
 impl<'a> GoalTask<'a> {
-    /// Plans every action that may serve the goal, with the robot if there is one, to know its expected time.
+    /// Plans every action that may serve the goal, and predicts its time and performance.
+    ///
+    /// `robot`: the robot that follows the plans; `None` to plan the strokes only.
+    ///
+    /// # Errors
+    /// If the goal or the robot is invalid. An action that cannot be planned is no error, but impossible.
     pub fn evaluate(
         args: &'a TaskArgs,
         file: &'a GoalFile,
@@ -121,8 +129,11 @@ impl<'a> GoalTask<'a> {
         Ok(task)
     }
 
-    /// Returns the state before the first step, with the wiping actions whose strokes are expected to pass over what another
+    /// Returns the state before the first step. It contains which wiping actions are expected to pass over dirt that another
     /// action collects.
+    ///
+    /// # Errors
+    /// If the task does not fit the knowledge base.
     pub fn situation(&self) -> Result<Situation<'a>, Failure> {
         let situation = self.file.situation();
         let mut situation = situation.map_err(|error| stage_failure(self.args, error))?;
@@ -139,7 +150,9 @@ impl<'a> GoalTask<'a> {
         Ok(situation)
     }
 
-    /// Whether strokes pass over more of what an action has collected than its target leaves.
+    /// Whether strokes pass over more of the collected dirt than the target of its collection permits.
+    ///
+    /// `collecting`: the action that collects; `heap`: its dirt, in the frame of the surface [m]; `swept`: the strokes.
     pub(super) fn is_spoiled(
         &self,
         collecting: &Wiping,
@@ -156,7 +169,10 @@ impl<'a> GoalTask<'a> {
         self.has_robot
     }
 
-    /// Returns the arguments of the task of a wiping action, with further settings.
+    /// Returns the arguments of a task of one part: a wiping action. `further`: additional settings, as key and value.
+    ///
+    /// # Errors
+    /// If the domain has no effect of the action.
     pub fn part(
         &self,
         situation: &Situation<'_>,
@@ -189,7 +205,10 @@ impl<'a> GoalTask<'a> {
         Ok(args)
     }
 
-    /// Plans the sequence of least expected time from a situation.
+    /// Plans the sequence of least expected time from a situation. `place`: where the robot is.
+    ///
+    /// # Errors
+    /// As [`Situation::plan`].
     pub fn plan(
         &self,
         situation: &Situation<'_>,
@@ -199,6 +218,7 @@ impl<'a> GoalTask<'a> {
         sequence.map_err(|error| stage_failure(self.args, error))
     }
 
+    /// Returns the expectations of all actions that may serve the goal.
     pub(super) fn expected_actions(&self) -> Vec<ExpectedAction> {
         let actions = self.expected.iter().map(|(wiping, expected)| {
             let (numbers, impossible) = match expected {
@@ -220,6 +240,7 @@ impl<'a> GoalTask<'a> {
         actions.collect()
     }
 
+    /// Returns a place in the world [m]: the origin of a surface, or the position of a tool in the rack; `None` if it is unknown.
     fn place_of(&self, place: StepPlace<'_>) -> Option<[f64; 3]> {
         match place {
             StepPlace::Start => None,
@@ -257,7 +278,8 @@ impl StepTimes for GoalTask<'_> {
     }
 }
 
-/// Plans a task, with the robot if there is one, and predicts it.
+/// Plans the task of an action, with the robot if there is one, and predicts time and performance. Also returns the planned
+/// strokes if the action is possible.
 fn expect(
     loaded: &LoadedTask,
     robot: Option<(&Chosen<'_>, &Robot)>,
@@ -268,7 +290,7 @@ fn expect(
     }
 }
 
-/// The same; the error is the reason why the task is impossible.
+/// Plans and predicts like [`expect`]; the error is the reason why the action is impossible.
 fn expect_strokes(
     loaded: &LoadedTask,
     robot: Option<(&Chosen<'_>, &Robot)>,
@@ -317,7 +339,7 @@ fn expect_strokes(
         let lost = percent(lost);
         if loaded.task.action.treats() {
             return Err(format!(
-                "a plan would give {lost} of the points more than they may get, and the target is {}",
+                "a plan would coat {lost} of the points too thickly, and the target is {}",
                 percent(target)
             ));
         }

@@ -209,7 +209,8 @@ impl Tasks {
     }
 }
 
-/// Collects the observed rounds of each law. An episode that nobody has named is left out with a note if its law cannot be learned.
+/// Collects the observed rounds of each law. An episode that the command line does not name is left out with a note if its law
+/// cannot be learned.
 fn evidence(
     recordings: &[Recording],
     tasks: &mut Tasks,

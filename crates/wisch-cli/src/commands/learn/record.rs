@@ -13,12 +13,15 @@ pub(super) const SCHEMA: u32 = 1;
 /// The object that `--json` prints.
 #[derive(Debug, Serialize)]
 pub(super) struct LearnRecord {
+    /// Name of the format.
     pub format: &'static str,
+    /// Schema of the object.
     pub schema: u32,
     /// The written file; null with `--diff`.
     pub out: Option<String>,
     /// The changes as a unified diff; null without `--diff`.
     pub diff: Option<String>,
+    /// The learned laws.
     pub laws: Vec<LawRecord>,
 }
 

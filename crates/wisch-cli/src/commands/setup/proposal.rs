@@ -28,7 +28,7 @@ const GRAVITY: f64 = 9.81;
 /// Cosine of the largest angle between the normal of a level surface and the vertical [1].
 const LEVEL: f64 = 0.9;
 
-/// What an SRDF consists of.
+/// A proposed SRDF, with its parts and the assumptions of the search.
 pub struct Proposal {
     /// The SRDF.
     pub srdf: Srdf,
@@ -36,7 +36,7 @@ pub struct Proposal {
     pub arms: Vec<ArmChain>,
     /// Pairs of links that are not checked.
     pub pairs: LinkPairs,
-    /// What the search had to assume.
+    /// Unusual assumptions of the search.
     pub assumed: Assumed,
     /// Ready posture of each arm, with the group that was moved.
     pub ready: Vec<(Group, ReadyPosture)>,
@@ -44,12 +44,12 @@ pub struct Proposal {
     pub tried: Option<Tried>,
 }
 
-/// What a search assumes to find a ready posture, beyond what is usual.
+/// Unusual assumptions with which a ready posture was found.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Assumed {
-    /// That no tool is at the tips, as any would collide.
+    /// Whether no tool is at the tips, because every tool would collide.
     pub no_tool: bool,
-    /// That the robot hangs from a ceiling or a frame over the surface.
+    /// Whether the robot hangs from a ceiling or a frame over the surface.
     pub hangs: bool,
 }
 
@@ -64,14 +64,14 @@ struct Scene {
     place: Place,
 }
 
-/// What a search for ready postures found.
+/// The result of a search for ready postures.
 #[derive(Default)]
 struct Found {
     ready: Vec<(Group, ReadyPosture)>,
     tried: Option<Tried>,
 }
 
-/// Where a surface is.
+/// Where the surface is, relative to the robot.
 enum Place {
     /// Around the robot, on which its table or floor is.
     Around,

@@ -267,7 +267,7 @@ pub fn comments(
     let mut about_pairs = format!(
         "{} of {} pairs of links are not checked against each other: {}.\n\
          From {} random postures, seed {seed}; Never means farther than {} m in all of them, and in a\n\
-         descent from the closest.",
+         descent from the closest posture.",
         pairs.disabled.len(),
         pairs.total,
         by_reason(proposal),

@@ -63,7 +63,7 @@ struct SplitMesh<'a> {
     atlas: Result<Atlas, SheetError>,
     /// Largest number of patches.
     most: usize,
-    /// Of each patch.
+    /// Measures of each patch.
     measures: Vec<Measures>,
 }
 

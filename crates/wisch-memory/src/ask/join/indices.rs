@@ -27,7 +27,7 @@ impl Timeline {
 /// The direct parts of each individual.
 #[derive(Debug)]
 pub struct Children {
-    /// Begin of each individual's parts in the list of all parts, with a final end.
+    /// Start of each individual's parts in the list of all parts, with a final end.
     begins: Vec<u32>,
     all: Vec<IndividualId>,
 }

@@ -44,7 +44,7 @@ impl MotionRun<'_> {
         stop(Kind::LinkLost, "wisch does not read the samples")
     }
 
-    /// Ends a motion whose robot was moved while it paused. `rested`: positions at the begin of the pause [rad or m].
+    /// Ends a motion whose robot was moved while it paused. `rested`: positions at the start of the pause [rad or m].
     fn check_unmoved(&self, rested: &[f64]) -> Turned<()> {
         let limit = self.robot.file.limits.start_rad;
         let joints = rested.iter().zip(&self.latest.positions);

@@ -160,7 +160,7 @@ fn in_words(record: &Table1Record) -> String {
         );
     }
     text += "\nMeans over the seeds. Bold: the paper's performance is reached. Strategies that the paper does not have are compared with its best\n\
-             figure of three, in brackets. Computation is wall time on one core; the paper's is another planner's on another machine.\n";
+             figure of three, in brackets. Computation is wall time on one core; the paper's figure is that of another planner on another machine.\n";
     text
 }
 
