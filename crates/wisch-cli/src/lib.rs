@@ -18,7 +18,8 @@ use std::ffi::OsString;
 pub fn main_with(args: impl IntoIterator<Item = OsString>) -> u8 {
     let args: Vec<OsString> = args.into_iter().collect();
     terminal::run(&args, || {
-        let cli = args::Cli::read(&args).unwrap_or_else(|error| terminal::refuse(&error));
+        let cli = args::Cli::read(&args)
+            .unwrap_or_else(|error| terminal::exit_with_parser_message(&error));
         terminal::prepare(&cli.global)?;
         commands::run(&cli)
     })

@@ -65,7 +65,7 @@ pub fn run(args: &[OsString], program: impl FnOnce() -> Result<Outcome, Failure>
         Ok(Ok(Outcome::Done)) => EXIT_DONE,
         Ok(Ok(Outcome::GoalNotMet)) => EXIT_GOAL_NOT_MET,
         Ok(Err(failure)) => {
-            complain_of(&failure);
+            print_error(&failure);
             EXIT_ERROR
         }
         Err(_) => EXIT_ERROR,
@@ -100,7 +100,7 @@ pub fn prepare(args: &GlobalArgs) -> Result<(), Failure> {
 
 /// Prints an error in the form of the command-line parser's errors: one unbroken line, so that it can be searched for,
 /// and one line with help.
-pub fn complain_of(failure: &Failure) {
+pub fn print_error(failure: &Failure) {
     let (red, green, plain) = if COLOR.load(Ordering::Relaxed) {
         ("\x1b[1;31m", "\x1b[32m", "\x1b[0m")
     } else {
@@ -118,7 +118,7 @@ pub fn complain_of(failure: &Failure) {
 }
 
 /// Exits with the requested help text, or with the command-line parser's error.
-pub fn refuse(error: &clap::Error) -> ! {
+pub fn exit_with_parser_message(error: &clap::Error) -> ! {
     if error.use_stderr() {
         let text = error.to_string();
         let sentence = text.lines().next().unwrap_or_default();
@@ -165,7 +165,7 @@ pub fn remark(text: &str) {
 }
 
 /// Runs a function without the notes of any thread.
-pub fn hush<T>(run: impl FnOnce() -> T) -> T {
+pub fn run_without_notes<T>(run: impl FnOnce() -> T) -> T {
     HUSHED.fetch_add(1, Ordering::Relaxed);
     let result = run();
     HUSHED.fetch_sub(1, Ordering::Relaxed);

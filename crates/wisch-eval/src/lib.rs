@@ -41,11 +41,14 @@ pub use interval::binomial_interval;
 pub use picture::Picture;
 pub use protocol::SeedUse;
 pub use pushes::PushCounts;
-pub use quantity::{Quantity, QuantitySummary, Statistics, summary};
+pub use quantity::{Quantity, QuantitySummary, Statistics, summarise_quantities};
 pub use scenario::{Quartiles, ScenarioRound, ScenarioRun, ScenarioScores};
 pub use scores::{Calibration, ClaimCounts, GroupScores, LevelCoverage, MethodScores};
-pub use sweep::{Axis, AxisError, SweepCase, SweepCell, SweepRun, SweepSetup, cells, sweep_cells};
-pub use table1::{PaperFigures, Table1Case, Table1Row, Table1Run, Table1Setup, table1_rows};
+pub use sweep::{
+    Axis, AxisError, SweepCase, SweepCell, SweepRun, SweepSetup, group_sweep_runs,
+    list_combinations,
+};
+pub use table1::{PaperFigures, Table1Case, Table1Row, Table1Run, Table1Setup, build_table1_rows};
 pub use task_case::{TaskCase, UnknownCell};
 pub use trial::{BeliefScore, EvaluationError, LEVELS, RoundScore, WorldScore};
 pub use variants::Variant;

@@ -139,7 +139,9 @@ pub struct Statistics {
 pub type QuantitySummary = BTreeMap<Quantity, Statistics>;
 
 /// Returns the statistics of each quantity over several runs.
-pub fn summary<'a>(scores: impl IntoIterator<Item = &'a WipingScore> + Clone) -> QuantitySummary {
+pub fn summarise_quantities<'a>(
+    scores: impl IntoIterator<Item = &'a WipingScore> + Clone,
+) -> QuantitySummary {
     let of = |quantity: Quantity| {
         let values: Vec<f64> = (scores.clone().into_iter())
             .filter_map(|score| quantity.value(score))

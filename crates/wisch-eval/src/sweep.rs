@@ -1,6 +1,6 @@
 //! Sweeps: a task with every combination of given values of its keys, over seeds.
 
-use crate::quantity::{QuantitySummary, summary};
+use crate::quantity::{QuantitySummary, summarise_quantities};
 use crate::wiping::{WipingExtent, WipingOptions, WipingScore};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -148,7 +148,7 @@ fn range(text: &str) -> Option<Option<Vec<String>>> {
 }
 
 /// Returns all combinations of the axes' values, with the last axis varying fastest; `None` if there are too many.
-pub fn cells(axes: &[Axis]) -> Option<Vec<Vec<String>>> {
+pub fn list_combinations(axes: &[Axis]) -> Option<Vec<Vec<String>>> {
     let mut cells = vec![Vec::new()];
     for axis in axes {
         if cells.len().checked_mul(axis.values.len())? > MAX_COUNT {
@@ -244,7 +244,7 @@ pub struct SweepCell {
 }
 
 /// Groups runs by combination; combinations without runs are left out.
-pub fn sweep_cells(cells: &[Vec<String>], runs: &[SweepRun]) -> Vec<SweepCell> {
+pub fn group_sweep_runs(cells: &[Vec<String>], runs: &[SweepRun]) -> Vec<SweepCell> {
     let mut by_values: HashMap<&[String], Vec<&WipingScore>> = HashMap::new();
     for run in runs {
         by_values
@@ -258,7 +258,7 @@ pub fn sweep_cells(cells: &[Vec<String>], runs: &[SweepRun]) -> Vec<SweepCell> {
             values: values.clone(),
             runs: own.len(),
             claimed: WipingScore::claimed(own),
-            summary: summary(own.iter().copied()),
+            summary: summarise_quantities(own.iter().copied()),
         })
     };
     cells.iter().filter_map(cell).collect()
@@ -313,11 +313,11 @@ mod tests {
 
     #[test]
     fn cells_are_the_cross_product_in_order() {
-        let all = cells(&[axis("a=1,2"), axis("b=x,y,z")]).expect("few");
+        let all = list_combinations(&[axis("a=1,2"), axis("b=x,y,z")]).expect("few");
         let joined: Vec<String> = all.iter().map(|cell| cell.join("")).collect();
         assert_eq!(joined, ["1x", "1y", "1z", "2x", "2y", "2z"]);
-        assert_eq!(cells(&[]), Some(vec![vec![]]));
+        assert_eq!(list_combinations(&[]), Some(vec![vec![]]));
         let many = axis("a=1:1000:1");
-        assert_eq!(cells(&[many.clone(), many]), None);
+        assert_eq!(list_combinations(&[many.clone(), many]), None);
     }
 }

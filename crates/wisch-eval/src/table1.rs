@@ -1,6 +1,6 @@
 //! The paper's Table 1 (§3.4): three surfaces, three actions, and the strategies.
 
-use crate::quantity::{Quantity, QuantitySummary, summary};
+use crate::quantity::{Quantity, QuantitySummary, summarise_quantities};
 use crate::task_case::TaskCase;
 use crate::wiping::{WipingExtent, WipingOptions, WipingScore};
 use serde::{Deserialize, Serialize};
@@ -213,7 +213,7 @@ pub struct Table1Row {
 }
 
 /// Makes the table of runs, given in any order; its rows are sorted by action, surface and strategy as in the paper.
-pub fn table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
+pub fn build_table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
     let cells = TaskCase::cases_by_action().flat_map(|task| {
         Strategy::ALL
             .into_iter()
@@ -223,7 +223,7 @@ pub fn table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
         let is_of =
             |run: &&Table1Run| run.case.task == task && run.case.strategy == strategy.as_str();
         let own: Vec<&WipingScore> = runs.iter().filter(is_of).map(|run| &run.score).collect();
-        let ours = summary(own.iter().copied());
+        let ours = summarise_quantities(own.iter().copied());
         let papers = PaperFigures::find(task, strategy);
         let paper = papers.unwrap_or_else(|| PaperFigures::find_best(task));
         let predicted = ours.get(&Quantity::Predicted)?.mean;
@@ -312,7 +312,7 @@ mod tests {
             run(first, "grid", 2, 0.925),
             run(first, "grid", 1, 0.76),
         ];
-        let rows = table1_rows(&runs);
+        let rows = build_table1_rows(&runs);
         let names: Vec<_> = rows
             .iter()
             .map(|row| (row.action, row.surface, &*row.strategy, row.runs))

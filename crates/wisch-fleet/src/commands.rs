@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use wisch_fleet::ask::{Form, LimitWatch, SqlLimits, SqlSession, SqlSource, views, write};
 use wisch_fleet::moves::{self, Filter, Local, Part, PushOptions};
-use wisch_fleet::store::{FleetError, StorePlace, now};
+use wisch_fleet::store::{FleetError, StorePlace, read_clock};
 use wisch_fleet::tables::all_tables;
 use wisch_memory::Memory;
 
@@ -55,7 +55,7 @@ pub async fn sql(args: &SqlArgs) -> Result<Outcome, FleetError> {
     // Kept until the end: the rows of a read-only memory are in a temporary folder.
     let mut locals: Vec<Local> = Vec::new();
     for folder in &args.memory {
-        let mut local = moves::local(&Memory::open(folder)?, part).await?;
+        let mut local = moves::open_local(&Memory::open(folder)?, part).await?;
         for why in &local.left_out {
             eprintln!("{why}: left out; see wisch memory verify");
         }
@@ -287,7 +287,7 @@ pub async fn pull(args: &PullArgs) -> Result<Outcome, FleetError> {
     print(&if args.json { json(&pulled) } else { summary })?;
     Ok(match pulled.left_out.is_empty() {
         true => Outcome::Done,
-        false => Outcome::NotAsHoped,
+        false => Outcome::FaultsFound,
     })
 }
 
@@ -312,7 +312,7 @@ pub async fn forget(args: &ForgetArgs) -> Result<Outcome, FleetError> {
 pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
     let place = StorePlace::open(&args.url)?;
     let mut compacted = moves::compact(&place).await?;
-    let purged = moves::purge(&place, now() - args.older_than).await?;
+    let purged = moves::purge(&place, read_clock() - args.older_than).await?;
     compacted.deleted = purged;
     let summary = format!(
         "{}: {} files became {}, {} objects deleted\n",
@@ -327,7 +327,7 @@ pub async fn compact(args: &CompactArgs) -> Result<Outcome, FleetError> {
 /// Removes old telemetry.
 pub async fn retain(args: &RetainArgs) -> Result<Outcome, FleetError> {
     let place = StorePlace::open(&args.url)?;
-    let retained = moves::retain(&place, now() - args.keep_telemetry).await?;
+    let retained = moves::retain(&place, read_clock() - args.keep_telemetry).await?;
     let summary = format!(
         "{}: telemetry before {} is now unused ({} files, {}); wisch-fleet compact deletes it\n",
         place.url(),
@@ -361,7 +361,7 @@ pub async fn verify(args: &VerifyArgs) -> Result<Outcome, FleetError> {
     print(&if args.json { json(&verified) } else { summary })?;
     Ok(match verified.faults.is_empty() {
         true => Outcome::Done,
-        false => Outcome::NotAsHoped,
+        false => Outcome::FaultsFound,
     })
 }
 

@@ -17,7 +17,7 @@ use wisch_fleet::store::FleetError;
 enum Outcome {
     Done,
     /// The command ran, but found faults.
-    NotAsHoped,
+    FaultsFound,
 }
 
 fn main() -> ExitCode {
@@ -35,7 +35,7 @@ fn main() -> ExitCode {
     });
     match worked {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::NotAsHoped) => ExitCode::from(1),
+        Ok(Outcome::FaultsFound) => ExitCode::from(1),
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::from(2)

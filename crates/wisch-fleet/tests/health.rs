@@ -5,7 +5,7 @@ use datafusion::arrow::util::pretty::pretty_format_batches;
 use std::fs;
 use std::path::Path;
 use wisch_fleet::ask::{SqlSession, SqlSource};
-use wisch_fleet::moves::{Part, PushOptions, local, push};
+use wisch_fleet::moves::{Part, PushOptions, open_local, push};
 use wisch_fleet::store::StorePlace;
 use wisch_memory::health::{ChannelState, GroupHealth, assess_groups, gather_groups};
 use wisch_memory::{Catalogue, EpisodeRecord, Individual, Value};
@@ -67,7 +67,7 @@ async fn sessions(folder: &Path, records: &[EpisodeRecord]) -> [SqlSession; 2] {
     push(&memory, &fleet, &PushOptions::default(), &mut |_, _| {})
         .await
         .unwrap();
-    let local = local(&memory, Part::Facts).await.unwrap();
+    let local = open_local(&memory, Part::Facts).await.unwrap();
     let here = SqlSession::new(&local.sources).await.unwrap();
     [session(&fleet).await, here]
 }
@@ -211,7 +211,7 @@ async fn files_of_an_earlier_version_have_nulls() {
 async fn rows_of_a_memory_by_an_earlier_version_are_written_anew() {
     let folder = tempfile::tempdir().unwrap();
     let memory = memory(folder.path(), &some(2));
-    local(&memory, Part::Facts).await.unwrap();
+    open_local(&memory, Part::Facts).await.unwrap();
     let log = folder.path().join(".catalogue/fleet/log");
     let read_log = || {
         let files = fs::read_dir(&log).unwrap();
@@ -225,7 +225,7 @@ async fn rows_of_a_memory_by_an_earlier_version_are_written_anew() {
         let text = fs::read_to_string(&path).unwrap();
         fs::write(&path, text.replace("\"schema\":[1,1]", "\"schema\":[1,0]")).unwrap();
     }
-    let rows = local(&memory, Part::Facts).await.unwrap();
+    let rows = open_local(&memory, Part::Facts).await.unwrap();
     let again = read_log();
     assert!(
         !again.contains("\"schema\":[1,0]") && again.contains("\"schema\":[1,1]"),

@@ -6,7 +6,7 @@ use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::DataType;
 use std::collections::BTreeMap;
 use wisch_fleet::ask::SqlSession;
-use wisch_fleet::moves::{Part, PushOptions, local, push};
+use wisch_fleet::moves::{Part, PushOptions, open_local, push};
 use wisch_memory::catalogue::entries;
 use wisch_memory::{Catalogue, CatalogueNode, EpisodeRecord, IndividualId};
 
@@ -104,7 +104,7 @@ async fn with_sources(run: impl AsyncFn(&SqlSession, &Catalogue)) {
         .await
         .unwrap();
     run(&session(&fleet).await, &catalogue).await;
-    let local = local(&memory, Part::Facts).await.unwrap();
+    let local = open_local(&memory, Part::Facts).await.unwrap();
     run(&SqlSession::new(&local.sources).await.unwrap(), &catalogue).await;
 }
 
@@ -335,7 +335,7 @@ async fn rows_of_a_memory_are_updated() {
     let all = some(6);
     let here = memory(folder.path(), &all[..4]);
     let count = async || {
-        let local = local(&here, Part::Telemetry).await.unwrap();
+        let local = open_local(&here, Part::Telemetry).await.unwrap();
         let session = SqlSession::new(&local.sources).await.unwrap();
         texts(&session.rows("SELECT count(*) FROM episodes").await.unwrap())
     };

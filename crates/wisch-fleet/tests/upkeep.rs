@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use wisch_fleet::ask::SqlSession;
 use wisch_fleet::moves::{Filter, PushOptions, compact, forget, pull, purge, push, retain, verify};
-use wisch_fleet::store::{Snapshot, StorePlace, now};
+use wisch_fleet::store::{Snapshot, StorePlace, read_clock};
 use wisch_memory::Memory;
 
 fn quiet() -> impl FnMut(usize, usize) {
@@ -59,11 +59,14 @@ async fn compaction_changes_no_answer_and_no_open_session() {
         "a session opened before the compaction"
     );
     assert_eq!(
-        purge(&fleet, now() - 3600.0).await.unwrap(),
+        purge(&fleet, read_clock() - 3600.0).await.unwrap(),
         0,
         "nothing is old enough"
     );
-    assert_eq!(purge(&fleet, now() + 1.0).await.unwrap(), done.before);
+    assert_eq!(
+        purge(&fleet, read_clock() + 1.0).await.unwrap(),
+        done.before
+    );
     assert_eq!(all_rows(&session(&fleet).await).await, before);
     assert!(Snapshot::read(&fleet).await.unwrap().removed.is_empty());
     assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
@@ -91,11 +94,11 @@ async fn retention_removes_only_old_telemetry() {
         .await
         .unwrap();
     assert_eq!(samples(&fleet).await, SAMPLES.to_string());
-    let retained = retain(&fleet, now()).await.unwrap();
+    let retained = retain(&fleet, read_clock()).await.unwrap();
     assert_eq!(retained.files, 1);
     assert_eq!(samples(&fleet).await, "0");
     assert_eq!(
-        purge(&fleet, now() + 1.0).await.unwrap(),
+        purge(&fleet, read_clock() + 1.0).await.unwrap(),
         2,
         "one episode has telemetry: its rows and its archive"
     );
@@ -231,7 +234,7 @@ async fn a_forgotten_episode_leaves_no_rows_and_no_archive() {
         assert_eq!(verify(&fleet, &mut quiet()).await.unwrap().faults, [""; 0]);
         // A memory that still has them may push them again.
         assert_eq!(push_all().await, 2);
-        purge(&fleet, now() + 1.0).await.unwrap();
+        purge(&fleet, read_clock() + 1.0).await.unwrap();
         let verified = verify(&fleet, &mut quiet()).await.unwrap();
         assert_eq!((verified.episodes, verified.faults.len()), (12, 0));
         assert_eq!(all_rows(&session(&fleet).await).await, before);

@@ -149,7 +149,7 @@ fn dispatch(command: RobotLinkCommand) -> Result<ExitCode, String> {
             robot,
             settings,
             seed,
-        } => fake::stand_in(&task, &read(&robot)?, &settings, seed)?,
+        } => fake::simulate_robot(&task, &read(&robot)?, &settings, seed)?,
         RobotLinkCommand::Template => print!("{TEMPLATE}"),
         RobotLinkCommand::Ping {
             robot,

@@ -8,7 +8,7 @@ use crate::messages::{EmptyRequest, ForceModeRequest, ForceModeResponse, Trigger
 use crate::protocol::Kind;
 use crate::readings::{Readings, SharedReadings};
 use crate::robot_file::{ForceKind, RobotFile};
-use crate::service::{Service, matched};
+use crate::service::{Service, wait_for_match};
 use ros2_client::action::ActionClientQosPolicies;
 use ros2_client::qos::Durability;
 use ros2_client::{ActionTypeName, Name};
@@ -220,7 +220,7 @@ impl Connection {
             match readings.safety_mode {
                 Some(NORMAL) => {}
                 Some(mode) => {
-                    let (kind, name) = safety_mode(mode);
+                    let (kind, name) = name_safety_mode(mode);
                     return Some((kind, format!("the safety mode is {name}, not NORMAL")));
                 }
                 None => return Some((Kind::LinkLost, format!("{topic} has sent no safety mode"))),
@@ -289,7 +289,7 @@ impl Connection {
 }
 
 /// Kind of the stop and name of a safety mode of Universal Robots.
-pub(crate) fn safety_mode(mode: u8) -> (Kind, String) {
+pub(crate) fn name_safety_mode(mode: u8) -> (Kind, String) {
     let (kind, name) = match mode {
         2 => (Kind::Operator, "REDUCED"),
         3 => (Kind::ProtectiveStop, "PROTECTIVE_STOP"),
@@ -332,9 +332,9 @@ fn connect_action(
         .create_action_client(mapping, &name, &kind, qos);
     let client: TrajectoryAction = client.map_err(|error| failed(error.to_string()))?;
     let node = link.node();
-    let is_matched = matched(deadline, || client.goal_client().wait_for_service(node))
-        && matched(deadline, || client.cancel_client().wait_for_service(node))
-        && matched(deadline, || client.result_client().wait_for_service(node));
+    let is_matched = wait_for_match(deadline, || client.goal_client().wait_for_service(node))
+        && wait_for_match(deadline, || client.cancel_client().wait_for_service(node))
+        && wait_for_match(deadline, || client.result_client().wait_for_service(node));
     match is_matched {
         true => Ok((client, goals)),
         false => Err(failed(

@@ -89,7 +89,7 @@ impl Topics {
 ///
 /// # Errors
 /// If the task or the robot cannot be read, or DDS refuses.
-pub(crate) fn stand_in(
+pub(crate) fn simulate_robot(
     task: &Path,
     file: &RobotFile,
     settings: &[String],
@@ -228,7 +228,7 @@ impl StandIn<'_> {
                     if command == Command::Quit {
                         return Ok(());
                     }
-                    self.obey(command);
+                    self.execute_command(command);
                 }
             }
             due += step;
@@ -358,7 +358,7 @@ impl StandIn<'_> {
     }
 
     /// Executes a command of a test or a person.
-    fn obey(&mut self, command: Command) {
+    fn execute_command(&mut self, command: Command) {
         log(&format!("command {command:?}"));
         match command {
             Command::Push(force, seconds) => {

@@ -75,7 +75,7 @@ impl JumpWatch {
     }
 
     /// Returns a remark on further jumps, if there were any.
-    pub fn further(&self) -> Option<String> {
+    pub fn remark_on_further_jumps(&self) -> Option<String> {
         let further = self.count.checked_sub(1).filter(|further| *further > 0)?;
         Some(format!(
             "the joint state jumped {further} more times in this motion"
@@ -125,7 +125,7 @@ mod tests {
         );
         assert!(remark.contains("24.5 N"), "{remark}");
         assert_eq!(check(begin, (101.004, [1.0, 0.0]), None), None);
-        let further = watch.further().unwrap();
+        let further = watch.remark_on_further_jumps().unwrap();
         assert!(further.contains("1 more times"), "{further}");
     }
 
@@ -142,6 +142,6 @@ mod tests {
             !remark.contains("second before") && remark.contains("by 1.000 m within"),
             "{remark}"
         );
-        assert_eq!(watch.further(), None);
+        assert_eq!(watch.remark_on_further_jumps(), None);
     }
 }

@@ -3,7 +3,7 @@
 use crate::link::Link;
 use crate::messages::{Header, JointStateMessage, Stamp};
 use crate::robot_file::RobotFile;
-use crate::service::matched;
+use crate::service::wait_for_match;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -38,7 +38,7 @@ pub(crate) fn measure(file: &RobotFile, rate: f64, seconds: f64) -> Result<(), S
     link.listen(ECHO, kind, false, take).map_err(text)?;
     let publisher = link.publisher(PING, kind, false).map_err(text)?;
     let deadline = Instant::now() + Duration::from_secs_f64(file.link.discovery_s);
-    let is_matched = matched(deadline, || publisher.wait_for_subscription(link.node()));
+    let is_matched = wait_for_match(deadline, || publisher.wait_for_subscription(link.node()));
     while link.publishers(ECHO).is_empty() && Instant::now() < deadline {
         std::thread::sleep(Duration::from_millis(20));
     }

@@ -44,7 +44,7 @@ impl<Q: Message + Clone + 'static, A: Message + 'static> Service<Q, A> {
             service_qos(),
         );
         let client = client.map_err(|error| failed(error.to_string()))?;
-        let is_matched = matched(deadline, || client.wait_for_service(link.node()));
+        let is_matched = wait_for_match(deadline, || client.wait_for_service(link.node()));
         if !is_matched {
             return Err(failed(format!(
                 "found, but it does not match type {package}/srv/{kind}"
@@ -106,7 +106,10 @@ impl<Q: Message + Clone + 'static, A: Message + 'static> Service<Q, A> {
 /// Waits until a match that `wait` waits for, at most until `deadline`. Returns whether it was found.
 ///
 /// The library may lose the event of a match while many arrive, so that a single wait would not end.
-pub(crate) fn matched<F: Future<Output = ()>>(deadline: Instant, wait: impl Fn() -> F) -> bool {
+pub(crate) fn wait_for_match<F: Future<Output = ()>>(
+    deadline: Instant,
+    wait: impl Fn() -> F,
+) -> bool {
     loop {
         if within(MATCH_PERIOD, wait()).is_some() {
             return true;

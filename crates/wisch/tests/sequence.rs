@@ -152,7 +152,7 @@ fn a_wiping_serves_the_parts_that_it_reaches_or_whose_way_it_clears() {
     let tools = ["sponge", "brush", "broom"];
     let situation = Situation::new(&domain, &knowledge, &goal, &media, None, &tools).unwrap();
     let served = |action, medium: &str, surface: &str| {
-        let wipings = situation.possible_wipings(&goal);
+        let wipings = situation.list_possible_wipings(&goal);
         let is_meant = |wiping: &&Wiping| {
             (wiping.action, &*wiping.medium, &*wiping.surface) == (action, medium, surface)
         };
@@ -205,7 +205,7 @@ fn what_cannot_be_reached_is_left_out_and_the_rest_is_planned() {
         .filter_map(|step| step.wiping.clone())
         .collect();
     assert_eq!(wipings.len(), 2);
-    for wiping in situation.possible_wipings(&goal) {
+    for wiping in situation.list_possible_wipings(&goal) {
         if wiping.tool == "sponge" && wiping.action == Action::Collect {
             situation.rule_out(&wiping);
         }
@@ -294,7 +294,7 @@ fn nothing_lies_under_a_treatment_and_a_coat_goes_last() {
     let goal = CompoundGoal::parse("(and (polished polishing_paste table))").unwrap();
     let mut situation =
         Situation::new(&domain, &knowledge, &goal, &media, None, &["sponge"]).unwrap();
-    for wiping in situation.possible_wipings(&goal) {
+    for wiping in situation.list_possible_wipings(&goal) {
         if wiping.medium == "breadcrumbs" {
             situation.rule_out(&wiping);
         }

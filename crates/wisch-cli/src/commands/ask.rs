@@ -4,7 +4,7 @@ use super::interrupt::leave_ctrl_c;
 use super::{engine, fleet, look};
 use crate::args::{AskArgs, DEFAULT_MEMORY, GlobalArgs};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, complain_of, print, remark};
+use crate::terminal::{Outcome, print, print_error, remark};
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
 use rustyline::highlight::Highlighter;
@@ -300,7 +300,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
             "help" => print(&listing(&predicates()))?,
             _ => {
                 if let Err(failure) = answer(asked, query, args, global) {
-                    complain_of(&failure);
+                    print_error(&failure);
                 }
             }
         }

@@ -41,7 +41,7 @@ pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskAr
             let seconds = time.as_secs_f64();
             let pace =
                 Pace::measured(&prepared, seconds).map_err(|error| stage_failure(&args, error))?;
-            let evaluations = pace.affordable(seconds);
+            let evaluations = pace.count_affordable(seconds);
             let begun = pace.begun;
             remark(&if begun < seconds {
                 format!(
@@ -101,7 +101,7 @@ impl Pace {
     }
 
     /// Returns the number of plans that fit into a time [s].
-    fn affordable(&self, seconds: f64) -> u64 {
+    fn count_affordable(&self, seconds: f64) -> u64 {
         round((seconds - self.begun) / self.each)
     }
 }
@@ -129,7 +129,7 @@ mod tests {
             begun: 0.5,
             each: 1e-5,
         };
-        assert_eq!(pace.affordable(1.0), 50_000);
-        assert_eq!(pace.affordable(0.4), 1);
+        assert_eq!(pace.count_affordable(1.0), 50_000);
+        assert_eq!(pace.count_affordable(0.4), 1);
     }
 }

@@ -59,7 +59,7 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
     let Sequence { steps, left_out } = sequence.map_err(failure)?;
     let wipings = steps.iter().filter_map(|step| step.wiping.as_ref());
     let parts = wipings.filter_map(|wiping| {
-        let fact = situation.effect_of(wiping)?;
+        let fact = situation.find_effect_of(wiping)?;
         Some((fact.to_string(), wiping.tool.clone()))
     });
     let parts: Vec<(String, String)> = parts.collect();
@@ -301,7 +301,7 @@ impl FreeArea {
         let radius = task.tool.collision_radius();
         progress.say("computing the free area");
         let scene: Vec<_> = task.obstacles_in_surface().collect();
-        let raster = raster(task);
+        let raster = sample_surface(task);
         let share = |count: usize| count as f64 / raster.len().max(1) as f64;
         let space = FreeSpace::new(&task.surface, &scene, radius)?;
         let free = raster.iter().filter(|&&p| space.is_free(p)).count();
@@ -339,7 +339,7 @@ fn points_near<'a>(
 }
 
 /// Evenly spaced points on the surface.
-fn raster(task: &Task) -> Vec<Point2> {
+fn sample_surface(task: &Task) -> Vec<Point2> {
     let outline = &task.surface.outline;
     let Some(bounds) = Bounds2::from_points(outline.outer().iter().copied()) else {
         return Vec::new();
@@ -442,7 +442,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
                 .to_owned(),
         )),
     }
-    lines.push(("target", prospect(prepared, prediction, abandons)));
+    lines.push(("target", describe_target(prepared, prediction, abandons)));
     let weak = describe_weak_reaction(task.interaction.reaction_probability(), prepared.run.target);
     lines.extend(weak.map(|sentence| ("reaction", sentence)));
     let mut text = format!("{}: {heading}\n", task.name);
@@ -453,7 +453,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
 }
 
 /// The target, and whether the plan is predicted to reach it.
-fn prospect(prepared: &LoadedTask, prediction: &Prediction, abandons: bool) -> String {
+fn describe_target(prepared: &LoadedTask, prediction: &Prediction, abandons: bool) -> String {
     let target = prepared.run.target;
     let what = if abandons {
         "the followed part of this plan"

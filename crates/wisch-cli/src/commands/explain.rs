@@ -1,6 +1,6 @@
 //! `wisch plan --explain`: the plans of all strategies side by side.
 
-use super::swept::cover;
+use super::swept::predict_covered_share;
 use super::words::percent;
 use wisch::plan::Plan;
 use wisch::represent::Task;
@@ -33,7 +33,7 @@ pub(super) fn candidates(
             score: found.map(|found| found.score.total),
             predicted_performance: performance.map(|performance| performance.ratio()),
             lost_share: performance.map(|p| p.lost as f64 / p.initial.max(1) as f64),
-            covered_share: plan.map(|plan| cover(plan, task)),
+            covered_share: plan.map(|plan| predict_covered_share(plan, task)),
             distance_in_contact_m: plan.map(Plan::contact_distance),
             distance_total_m: plan.map(Plan::total_distance),
             strokes: plan.map(|plan| plan.strokes.len()),

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::terminal::{complain_of, hold_back, remark};
+use crate::terminal::{hold_back, print_error, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -107,7 +107,7 @@ fn end(signal: i32, is_ending: &AtomicBool) -> ! {
             "add --resume to the same command to continue after the last round that was written",
         ),
     };
-    complain_of(&failure);
+    print_error(&failure);
     std::process::exit(EXIT_BY_SIGNAL + signal)
 }
 

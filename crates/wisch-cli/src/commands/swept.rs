@@ -34,7 +34,7 @@ impl SweptSurface {
         for (task, plan) in &self.plans {
             let mut task = task.clone();
             task.particles = open;
-            open = take_up(&task, plan).particles;
+            open = predict_absorbing(&task, plan).particles;
         }
         let left = open.remaining().count();
         Ok(1.0 - left as f64 / points.len() as f64)
@@ -42,11 +42,11 @@ impl SweptSurface {
 }
 
 /// Returns the share of the particles that the tool passes over if they do not move [1].
-pub(super) fn cover(plan: &Plan, task: &Task) -> f64 {
-    take_up(task, plan).performance.ratio()
+pub(super) fn predict_covered_share(plan: &Plan, task: &Task) -> f64 {
+    predict_absorbing(task, plan).performance.ratio()
 }
 
-fn take_up(task: &Task, plan: &Plan) -> wisch::plan::Prediction {
+fn predict_absorbing(task: &Task, plan: &Plan) -> wisch::plan::Prediction {
     let mut taken_up = plan.clone();
     taken_up.graph.goal = GoalState::Absorbed;
     predict(task, &taken_up, |_| ())

@@ -36,7 +36,7 @@ pub struct Local {
 ///
 /// # Errors
 /// If the memory cannot be read, or a file cannot be written.
-pub async fn local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
+pub async fn open_local(memory: &Memory, part: Part) -> Result<Local, FleetError> {
     let beside = memory.folder().join(".catalogue");
     let (folder, elsewhere) = match is_writable(&beside) {
         true => (beside, None),

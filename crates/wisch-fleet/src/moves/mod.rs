@@ -10,7 +10,7 @@ mod upkeep;
 mod verify;
 
 pub use forget::{Forgotten, forget};
-pub use local::{Local, Part, local};
+pub use local::{Local, Part, open_local};
 pub use pull::{Filter, Pulled, pull};
 pub use push::{PushOptions, Pushed, push};
 pub use upkeep::{Compacted, Retained, compact, purge, retain};

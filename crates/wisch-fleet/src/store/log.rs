@@ -93,7 +93,7 @@ pub enum Committed {
 }
 
 /// Returns the current time [s since 1970]; no other function of this crate reads the clock.
-pub fn now() -> f64 {
+pub fn read_clock() -> f64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     since.unwrap_or_default().as_secs_f64()
 }
@@ -101,7 +101,7 @@ pub fn now() -> f64 {
 impl Commit {
     /// Creates an empty commit.
     pub fn new(what: &str) -> Self {
-        let time = now();
+        let time = read_clock();
         // Simultaneous processes have different ids, and commits of one process different times.
         let token = format!("{:x}-{:x}", std::process::id(), (time * 1e9) as u128);
         Self {

@@ -25,5 +25,5 @@ pub(crate) use credentials::secrets;
 pub use error::FleetError;
 #[cfg(feature = "cluster")]
 pub(crate) use error::without_echo;
-pub use log::{Commit, Committed, FileEntry, Removed, Snapshot, now};
+pub use log::{Commit, Committed, FileEntry, Removed, Snapshot, read_clock};
 pub use place::{Created, StorePlace};

@@ -103,9 +103,9 @@ pub(super) struct MotionRun<'a> {
 }
 
 /// A result, or the ending of the motion.
-type Turned<T> = Result<T, MotionEnding>;
+type MotionResult<T> = Result<T, MotionEnding>;
 
-fn stop<T>(kind: Kind, reason: impl Into<String>) -> Turned<T> {
+fn stop<T>(kind: Kind, reason: impl Into<String>) -> MotionResult<T> {
     Err(MotionEnding::Stop(kind, reason.into()))
 }
 
@@ -172,7 +172,7 @@ impl<'a> MotionRun<'a> {
 
     /// The content of `done`.
     pub fn finish(self, ending: &MotionEnding) -> Value {
-        if let Some(remark) = self.jumps.further() {
+        if let Some(remark) = self.jumps.remark_on_further_jumps() {
             eprintln!("wisch-ros2: {remark}");
         }
         let time = self.sample_time.max(0.0);
@@ -184,7 +184,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Executes one part: tares, presses, sends the goal, and waits for its end. After a pause, another goal executes the rest.
-    fn follow_part(&mut self, part: &Part) -> Turned<()> {
+    fn follow_part(&mut self, part: &Part) -> MotionResult<()> {
         let is_in_air = self.driver.options.is_in_air;
         self.pause_if_wanted()?;
         if part.is_tared && !is_in_air && self.robot.file.force.topic.is_some() {
@@ -209,7 +209,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Sends a goal and waits for its end. Returns whether the part has ended; otherwise a pause is wanted.
-    fn follow_goal(&mut self, part: &Part, pace: GoalPace) -> Turned<bool> {
+    fn follow_goal(&mut self, part: &Part, pace: GoalPace) -> MotionResult<bool> {
         let id = self.send_goal(part, pace)?;
         let sent = self.robot.action.request_result(id);
         let request = match sent {
@@ -221,7 +221,7 @@ impl<'a> MotionRun<'a> {
             result.map(|(status, _)| status)
         };
         loop {
-            self.turn()?;
+            self.supervise_once()?;
             let action = &self.robot.action;
             match action.receive_result(request) {
                 Ok(Some((GoalStatusEnum::Succeeded, _))) => break,
@@ -257,7 +257,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Sends the goal of a part, or of its rest, and waits until the controller has accepted it.
-    fn send_goal(&mut self, part: &Part, pace: GoalPace) -> Turned<GoalId> {
+    fn send_goal(&mut self, part: &Part, pace: GoalPace) -> MotionResult<GoalId> {
         // Every goal begins at rest. A stop that came during the checks is not overtaken by a goal.
         self.settle_for(Duration::ZERO)?;
         let file = &self.robot.file;
@@ -321,7 +321,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Checks how far joints and tool are from the start of a goal: a goal fades this distance within half a second.
-    fn check_offset(&self, planned: &[f64]) -> Turned<()> {
+    fn check_offset(&self, planned: &[f64]) -> MotionResult<()> {
         let limit = MOST_OFFSET.max(self.robot.file.limits.start_rad);
         let joints = planned.iter().zip(&self.latest.positions);
         for (name, (planned, measured)) in self.robot.names.iter().zip(joints) {
@@ -368,7 +368,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Waits for one joint state or a few milliseconds: passes the sample on, and checks everything.
-    fn turn(&mut self) -> Turned<()> {
+    fn supervise_once(&mut self) -> MotionResult<()> {
         if let Some(request) = self.incoming.poll() {
             match request {
                 Request::Stop => return Err(MotionEnding::Stopped),
@@ -437,7 +437,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Tells the guard that this program runs, and ends a motion that was without supervision.
-    fn supervise(&mut self) -> Turned<()> {
+    fn supervise(&mut self) -> MotionResult<()> {
         let gap = self.supervised.elapsed();
         self.supervised = Instant::now();
         if gap > LONGEST_SILENCE {
@@ -459,10 +459,10 @@ impl<'a> MotionRun<'a> {
         what: &str,
         limit: Duration,
         mut poll: impl FnMut(&mut Self) -> Option<T>,
-    ) -> Turned<T> {
+    ) -> MotionResult<T> {
         let deadline = Instant::now() + limit;
         loop {
-            self.turn()?;
+            self.supervise_once()?;
             if let Some(value) = poll(self) {
                 return Ok(value);
             }
@@ -511,7 +511,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Ends a motion that makes no progress.
-    fn check_progress(&self) -> Turned<()> {
+    fn check_progress(&self) -> MotionResult<()> {
         let (time, last) = self.progressed;
         let stalled = last.elapsed().as_secs_f64();
         if stalled > STALL_S {
@@ -531,7 +531,7 @@ impl<'a> MotionRun<'a> {
         &self,
         joints: &JointReading,
         wrench: &WrenchReading,
-    ) -> Turned<Vector3<f64>> {
+    ) -> MotionResult<Vector3<f64>> {
         let frames = &self.robot.frames;
         let name = self.robot.file.force.link.as_ref().unwrap_or(&wrench.frame);
         let link = frames.link(name);
@@ -548,7 +548,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Passes the latest state to wisch as a sample.
-    fn report(&mut self) -> Turned<()> {
+    fn report(&mut self) -> MotionResult<()> {
         let (stamp, arrival) = self.began;
         let time = self.latest.stamp - stamp;
         let elapsed = self
@@ -592,7 +592,7 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Checks how far the tool is from its setpoint; while it wipes, along the surface only.
-    fn check_lag(&self) -> Turned<()> {
+    fn check_lag(&self) -> MotionResult<()> {
         let Some(goal) = self.goal.as_ref().filter(|_| self.is_time_reported) else {
             return Ok(());
         };
@@ -623,7 +623,7 @@ impl<'a> MotionRun<'a> {
 
     /// Checks how far the tool is from the believed surface, along its normal, while the robot may press. Without a surface,
     /// force mode would move on without end.
-    fn check_depth(&self) -> Turned<()> {
+    fn check_depth(&self) -> MotionResult<()> {
         if !self.is_pressing {
             return Ok(());
         }
@@ -656,11 +656,11 @@ impl<'a> MotionRun<'a> {
     }
 
     /// Waits until all joints have rested for a while.
-    fn settle(&mut self) -> Turned<()> {
+    fn settle(&mut self) -> MotionResult<()> {
         self.settle_for(SETTLE)
     }
 
-    fn settle_briefly(&mut self) -> Turned<()> {
+    fn settle_briefly(&mut self) -> MotionResult<()> {
         self.settle_for(SETTLE / 3)
     }
 
@@ -672,11 +672,11 @@ impl<'a> MotionRun<'a> {
         fastest.unwrap_or((0.0, "rad"))
     }
 
-    fn settle_for(&mut self, rest: Duration) -> Turned<()> {
+    fn settle_for(&mut self, rest: Duration) -> MotionResult<()> {
         let begin = Instant::now();
         let mut since = begin;
         loop {
-            self.turn()?;
+            self.supervise_once()?;
             let (speed, unit) = self.fastest_joint();
             if speed > REST {
                 since = Instant::now();

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 
 use super::GoalError;
 use super::form::{Form, Source, read};
-use super::syntax::{Listed, Literal, OBJECT, Typed, literals, predicate, typed_list};
+use super::syntax::{
+    Listed, Literal, OBJECT, Typed, read_literals, read_predicate, read_typed_list,
+};
 
 /// Largest number of types, constants, predicates or actions, because they are searched linearly.
 const MAX_NAMES: usize = 1000;
@@ -86,10 +88,10 @@ impl Domain {
     pub fn parse(name: &str, text: &str) -> Result<Self, GoalError> {
         let source = Source { name, text };
         let form = read(source)?;
-        let (_, forms) = definition(source, &form)?;
-        let sections = sections(source, forms)?;
+        let (_, forms) = read_definition(source, &form)?;
+        let sections = group_sections(source, forms)?;
         let only = |keyword| sections.get(keyword).map_or(&[][..], |same| same[0].1);
-        requirements(source, only(":requirements"))?;
+        check_requirements(source, only(":requirements"))?;
 
         let mut domain = Self {
             types: Vec::new(),
@@ -104,8 +106,8 @@ impl Domain {
             if form.list().is_none_or(<[Form]>::is_empty) {
                 return Err(source.expected("a predicate `(name ?parameter - type ...)`", form));
             }
-            let (name, parameters) = predicate(source, form)?;
-            let parameters = typed_list(source, parameters, Listed::Variables)?;
+            let (name, parameters) = read_predicate(source, form)?;
+            let parameters = read_typed_list(source, parameters, Listed::Variables)?;
             domain.check_types(source, &parameters)?;
             predicates.push((name, form.at));
             domain.predicates.push(Predicate {
@@ -141,7 +143,7 @@ impl Domain {
     }
 
     fn read_types(&mut self, source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
-        self.types = typed_list(source, forms, Listed::Names)?;
+        self.types = read_typed_list(source, forms, Listed::Names)?;
         self.types.retain(|declared| declared.name != OBJECT);
         define_once(source, "type", names(&self.types))?;
         self.check_types(source, &self.types)?;
@@ -163,7 +165,7 @@ impl Domain {
         forms: &[Form],
         listed: Listed,
     ) -> Result<Vec<Typed>, GoalError> {
-        let list = typed_list(source, forms, listed)?;
+        let list = read_typed_list(source, forms, listed)?;
         define_once(source, kind, names(&list))?;
         self.check_types(source, &list)?;
         Ok(list)
@@ -204,12 +206,12 @@ impl Domain {
         source.check_size("parameters of an action", parameters.len(), MAX_PARAMETERS)?;
         let preconditions = match parts.get(":precondition") {
             None => Vec::new(),
-            Some(form) => literals(source, form)?,
+            Some(form) => read_literals(source, form)?,
         };
         let Some(effect) = parts.get(":effect") else {
             return Err(source.expected_at(form.at, "`:effect` in the action", "none"));
         };
-        let effects = literals(source, effect)?;
+        let effects = read_literals(source, effect)?;
         for literal in preconditions.iter().chain(&effects) {
             self.check_variables(source, &parameters, literal)?;
             let known = || {
@@ -364,7 +366,10 @@ fn duplicate_fault(source: Source<'_>, what: &str, first: usize, at: usize) -> G
 }
 
 /// Returns name and sections of `(define (domain name) section ...)`.
-fn definition<'f>(source: Source<'_>, form: &'f Form) -> Result<(&'f str, &'f [Form]), GoalError> {
+fn read_definition<'f>(
+    source: Source<'_>,
+    form: &'f Form,
+) -> Result<(&'f str, &'f [Form]), GoalError> {
     let Some(("define", [title, sections @ ..])) = form.head() else {
         return Err(source.expected("`(define (domain name) ...)`", form));
     };
@@ -380,7 +385,7 @@ fn definition<'f>(source: Source<'_>, form: &'f Form) -> Result<(&'f str, &'f [F
 type Sections<'f> = HashMap<&'f str, Vec<(&'f Form, &'f [Form])>>;
 
 /// Groups the sections of a definition by keyword. Rejects unknown, unsupported and repeated sections.
-fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, GoalError> {
+fn group_sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, GoalError> {
     let mut sections = Sections::new();
     for form in forms {
         let Some((keyword, content)) = form.head() else {
@@ -403,7 +408,7 @@ fn sections<'f>(source: Source<'_>, forms: &'f [Form]) -> Result<Sections<'f>, G
 }
 
 /// Rejects requirements that are not supported.
-fn requirements(source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
+fn check_requirements(source: Source<'_>, forms: &[Form]) -> Result<(), GoalError> {
     for form in forms {
         match form.word() {
             Some(

@@ -59,7 +59,7 @@ impl GoalLiteral {
         if let Some((head @ ("and" | "not"), _)) = form.head() {
             return Err(source.not_supported(form.at, &format!("`{head}` in a single goal")));
         }
-        let atom = syntax::atom(source, &form)?;
+        let atom = syntax::read_atom(source, &form)?;
         if let Some(variable) = atom.words.iter().find(|word| word.starts_with('?')) {
             return Err(source.expected_at(form.at, "names only", &format!("`{variable}`")));
         }
@@ -79,7 +79,7 @@ impl GoalLiteral {
 
 impl fmt::Display for GoalLiteral {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&search::text(&self.words))
+        f.write_str(&search::format_fact(&self.words))
     }
 }
 
@@ -150,7 +150,7 @@ pub fn resolve_goal(
         });
     }
     let tools = target.ranked_tools(&at_hand)?;
-    let problem = target.problem(literal, tool_in_hand, &tools)?;
+    let problem = target.build_problem(literal, tool_in_hand, &tools)?;
     let Some(plan) = problem.shortest_plan()? else {
         return Err(GoalError::NoPlan {
             goal: literal.to_string(),
@@ -167,7 +167,7 @@ pub fn resolve_goal(
         tool,
         medium,
         surface,
-        steps: plan.iter().map(|step| search::text(step)).collect(),
+        steps: plan.iter().map(|step| search::format_fact(step)).collect(),
     })
 }
 
@@ -289,7 +289,7 @@ impl<'a> Target<'a> {
     }
 
     /// Returns the planning problem: the goal with all known facts.
-    fn problem(
+    fn build_problem(
         &self,
         literal: &'a GoalLiteral,
         tool_in_hand: Option<&'a str>,

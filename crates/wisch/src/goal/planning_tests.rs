@@ -40,11 +40,11 @@ fn plan(domain: &str, problem: &str) -> Result<Option<Vec<String>>, GoalError> {
             .find(|(head, _)| *head == keyword)
             .map_or(&[][..], |(_, rest)| rest)
     };
-    let objects = syntax::typed_list(source, section(":objects"), syntax::Listed::Names)?;
+    let objects = syntax::read_typed_list(source, section(":objects"), syntax::Listed::Names)?;
     let atoms = |keyword| -> Result<Vec<syntax::Atom>, GoalError> {
         let lists = section(keyword)
             .iter()
-            .map(|form| syntax::literals(source, form));
+            .map(|form| syntax::read_literals(source, form));
         let literals = lists.collect::<Result<Vec<_>, _>>()?.concat().into_iter();
         Ok(literals.map(|literal| literal.atom).collect())
     };
@@ -59,7 +59,7 @@ fn plan(domain: &str, problem: &str) -> Result<Option<Vec<String>>, GoalError> {
     };
     problem.check()?;
     let plan = problem.shortest_plan()?;
-    Ok(plan.map(|plan| plan.iter().map(|step| search::text(step)).collect()))
+    Ok(plan.map(|plan| plan.iter().map(|step| search::format_fact(step)).collect()))
 }
 
 /// Returns the planning error after one piece of the domain is replaced.

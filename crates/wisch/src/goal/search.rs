@@ -23,7 +23,7 @@ pub(super) type Fact<'a> = Vec<&'a str>;
 type Bound<'a> = (&'a Schema, Vec<&'a str>);
 
 /// Formats a fact as PDDL does: `(name argument ...)`.
-pub(super) fn text(words: &[impl AsRef<str>]) -> String {
+pub(super) fn format_fact(words: &[impl AsRef<str>]) -> String {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     format!("({})", words.join(" "))
 }
@@ -108,7 +108,7 @@ impl<'a> Problem<'a> {
         for fact in self.init.iter().chain(goal) {
             let source = Source {
                 name: DERIVED,
-                text: &text(fact),
+                text: &format_fact(fact),
             };
             let known = || self.objects.iter().copied();
             self.domain.check(source, 0, fact, "object", known)?;
@@ -130,7 +130,7 @@ impl<'a> Problem<'a> {
         place: usize,
     ) -> Result<Option<Vec<Fact<'a>>>, GoalError> {
         let mut work = 0;
-        let reachable = self.reachable(Some(costs), &mut work)?;
+        let reachable = self.find_reachable_facts(Some(costs), &mut work)?;
         let is_reachable = |(holds, fact): &(bool, Fact<'a>)| !holds || reachable.contains(fact);
         if !self.goal.iter().all(is_reachable) {
             return Ok(None);
@@ -153,13 +153,13 @@ impl<'a> Problem<'a> {
         costs: &dyn StepCosts,
         work: &mut usize,
     ) -> Result<GroundProblem<'a>, GoalError> {
-        let bound = self.applicable(reachable, work)?;
+        let bound = self.list_applicable_actions(reachable, work)?;
         let of = |literals: &'a [Literal], holds, (schema, binding): &Bound<'a>| -> Vec<Fact<'a>> {
             let chosen = literals
                 .iter()
                 .filter(move |literal| literal.holds == holds);
             chosen
-                .flat_map(|literal| self.instances(literal, schema, binding))
+                .flat_map(|literal| self.list_instances(literal, schema, binding))
                 .collect()
         };
         // Facts that no action changes need no number: they hold if they hold initially.
@@ -231,7 +231,7 @@ impl<'a> Problem<'a> {
 
     /// Returns all facts that can become true if no action deletes any and every negative precondition holds (delete
     /// relaxation). Steps without costs are left out.
-    fn reachable(
+    fn find_reachable_facts(
         &self,
         costs: Option<&dyn StepCosts>,
         work: &mut usize,
@@ -239,7 +239,7 @@ impl<'a> Problem<'a> {
         let mut facts = self.init.clone();
         loop {
             let before = facts.len();
-            for (schema, binding) in self.applicable(&facts, work)? {
+            for (schema, binding) in self.list_applicable_actions(&facts, work)? {
                 let step: Fact<'a> = std::iter::once(schema.name.as_str())
                     .chain(binding.iter().copied())
                     .collect();
@@ -249,7 +249,7 @@ impl<'a> Problem<'a> {
                 facts.extend(
                     schema
                         .added()
-                        .flat_map(|add| self.instances(add, schema, &binding)),
+                        .flat_map(|add| self.list_instances(add, schema, &binding)),
                 );
             }
             if facts.len() == before {
@@ -260,7 +260,7 @@ impl<'a> Problem<'a> {
 
     /// Returns the facts of a literal: one, or one for each binding of the variables of `forall`, as far as the conditions of
     /// `when` hold initially.
-    pub(super) fn instances(
+    pub(super) fn list_instances(
         &self,
         literal: &'a Literal,
         schema: &Schema,
@@ -297,14 +297,14 @@ impl<'a> Problem<'a> {
     }
 
     /// Returns the actions whose positive preconditions hold.
-    fn applicable(
+    fn list_applicable_actions(
         &self,
         facts: &BTreeSet<Fact<'a>>,
         work: &mut usize,
     ) -> Result<Vec<Bound<'a>>, GoalError> {
         let mut bound = Vec::new();
         for schema in &self.domain.schemas {
-            self.bind((schema, open(schema)), 0, facts, work, &mut bound)?;
+            self.bind((schema, list_unbound(schema)), 0, facts, work, &mut bound)?;
         }
         Ok(bound)
     }
@@ -321,7 +321,7 @@ impl<'a> Problem<'a> {
         spend(work, 1 + schema.preconditions.len())?;
         let needed = schema.preconditions.iter().filter(|literal| literal.holds);
         for literal in needed {
-            let instances = self.instances(literal, schema, &binding);
+            let instances = self.list_instances(literal, schema, &binding);
             spend(work, instances.len() - usize::from(!instances.is_empty()))?;
             let mut instances = instances.iter();
             if !instances.all(|fact| fact.iter().any(|word| is_open(word)) || facts.contains(fact))
@@ -346,7 +346,7 @@ impl<'a> Problem<'a> {
 
     /// Returns, for each unreachable part of the goal, the unmet preconditions of the actions that lead to it.
     pub(super) fn unmet_preconditions(&self) -> Result<Vec<String>, GoalError> {
-        let facts = self.reachable(None, &mut 0)?;
+        let facts = self.find_reachable_facts(None, &mut 0)?;
         let mut unmet = BTreeSet::new();
         let goals = self
             .goal
@@ -359,13 +359,15 @@ impl<'a> Problem<'a> {
             let ways = effects.filter_map(|(schema, add)| self.unify(schema, add, goal));
             let ways: Vec<Bound<'_>> = ways.collect();
             if ways.is_empty() {
-                unmet.insert(format!("no action brings about {}", text(goal)));
+                unmet.insert(format!("no action brings about {}", format_fact(goal)));
             }
             for (schema, binding) in ways {
                 let needed = schema.preconditions.iter().filter(|literal| literal.holds);
-                for wanted in needed.flat_map(|literal| self.instances(literal, schema, &binding)) {
+                for wanted in
+                    needed.flat_map(|literal| self.list_instances(literal, schema, &binding))
+                {
                     if !facts.iter().any(|fact| is_instance(fact, &wanted)) {
-                        unmet.insert(format!("{} needs {}", schema.name, text(&wanted)));
+                        unmet.insert(format!("{} needs {}", schema.name, format_fact(&wanted)));
                     }
                 }
             }
@@ -377,13 +379,13 @@ impl<'a> Problem<'a> {
     /// action removes.
     pub(super) fn list_obstacles(&self, costs: &dyn StepCosts) -> Result<Vec<String>, GoalError> {
         let mut work = 0;
-        let reachable = self.reachable(Some(costs), &mut work)?;
+        let reachable = self.find_reachable_facts(Some(costs), &mut work)?;
         let mut removed: BTreeSet<Fact<'a>> = BTreeSet::new();
-        for (schema, binding) in self.applicable(&reachable, &mut work)? {
+        for (schema, binding) in self.list_applicable_actions(&reachable, &mut work)? {
             let step = std::iter::once(schema.name.as_str()).chain(binding.iter().copied());
             if costs.least(&step.collect::<Fact<'a>>()).is_some() {
                 let deleted = schema.effects.iter().filter(|effect| !effect.holds);
-                removed.extend(deleted.flat_map(|one| self.instances(one, schema, &binding)));
+                removed.extend(deleted.flat_map(|one| self.list_instances(one, schema, &binding)));
             }
         }
         let mut obstacles = BTreeSet::new();
@@ -396,14 +398,16 @@ impl<'a> Problem<'a> {
             {
                 let excluded = schema.preconditions.iter().filter(|literal| !literal.holds);
                 let patterns =
-                    excluded.flat_map(|literal| self.instances(literal, schema, &binding));
+                    excluded.flat_map(|literal| self.list_instances(literal, schema, &binding));
                 for pattern in patterns {
                     let found = self
                         .init
                         .iter()
                         .filter(|fact| is_instance(fact, &pattern) && !removed.contains(*fact));
                     obstacles.extend(
-                        found.map(|fact| format!("{} needs (not {})", schema.name, text(fact))),
+                        found.map(|fact| {
+                            format!("{} needs (not {})", schema.name, format_fact(fact))
+                        }),
                     );
                 }
             }
@@ -413,7 +417,7 @@ impl<'a> Problem<'a> {
 
     /// Binds parameters so that an effect equals the goal; the remaining parameters stay unbound.
     fn unify(&self, schema: &'a Schema, effect: &'a Atom, goal: &Fact<'a>) -> Option<Bound<'a>> {
-        let mut binding = open(schema);
+        let mut binding = list_unbound(schema);
         for (word, &object) in effect.words.iter().zip(goal) {
             if let Some(i) = schema.parameters.iter().position(|p| p.name == *word) {
                 let type_name = &schema.parameters[i].type_name;
@@ -446,7 +450,8 @@ impl GroundProblem<'_> {
             came_by: None,
         }];
         let mut best = HashMap::from([((self.start.clone(), place), 0.0)]);
-        let mut queue = BinaryHeap::from([Reverse((Cost(self.remaining(&self.start)), 0))]);
+        let mut queue =
+            BinaryHeap::from([Reverse((Cost(self.bound_remaining_cost(&self.start)), 0))]);
         while let Some(Reverse((_, index))) = queue.pop() {
             let Node {
                 facts, place, cost, ..
@@ -483,7 +488,7 @@ impl GroundProblem<'_> {
                     continue;
                 }
                 best.insert(key, cost);
-                let estimate = cost + self.remaining(&next);
+                let estimate = cost + self.bound_remaining_cost(&next);
                 nodes.push(Node {
                     facts: next,
                     place,
@@ -499,7 +504,7 @@ impl GroundProblem<'_> {
     }
 
     /// Returns a lower bound of the cost from a state to the goal.
-    fn remaining(&self, facts: &Facts) -> f64 {
+    fn bound_remaining_cost(&self, facts: &Facts) -> f64 {
         let open = self
             .goal
             .iter()
@@ -577,7 +582,7 @@ fn spend_within(limit: usize, work: &mut usize, more: usize) -> Result<(), GoalE
 }
 
 /// Returns a binding in which every parameter has its own name.
-fn open(schema: &Schema) -> Vec<&str> {
+fn list_unbound(schema: &Schema) -> Vec<&str> {
     schema.parameters.iter().map(|p| p.name.as_str()).collect()
 }
 

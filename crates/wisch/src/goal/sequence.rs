@@ -43,7 +43,7 @@ impl CompoundGoal {
         };
         let form = form::read(source)?;
         let mut parts: Vec<(bool, GoalLiteral)> = Vec::new();
-        for literal in syntax::literals(source, &form)? {
+        for literal in syntax::read_literals(source, &form)? {
             if !literal.variables.is_empty() {
                 return Err(source.not_supported(form.at, "`forall` in a goal"));
             }
@@ -150,7 +150,7 @@ pub struct Step {
 
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&search::text(&self.words))
+        f.write_str(&search::format_fact(&self.words))
     }
 }
 
@@ -244,14 +244,14 @@ impl<'a> Situation<'a> {
         }
         for &tool in tool_in_hand.iter().chain(tools) {
             knowledge.tool(tool)?;
-            situation.name(tool, "tool");
+            situation.add_object(tool, "tool");
         }
         for on in media {
             let MediumOnSurface { medium, surface } = on;
             knowledge.surface(surface)?;
-            situation.name(medium, "medium");
-            situation.name(surface, "surface");
-            let rank = rank(knowledge, goal, medium, surface)?;
+            situation.add_object(medium, "medium");
+            situation.add_object(surface, "surface");
+            let rank = rank_medium(knowledge, goal, medium, surface)?;
             if rank < TREATMENT {
                 situation.add(["on", medium, surface]);
             }
@@ -259,7 +259,7 @@ impl<'a> Situation<'a> {
                 situation.liquids.push(on.clone());
             }
             for other in media.iter().filter(|other| other.surface == *surface) {
-                let later = self::rank(knowledge, goal, &other.medium, surface)?;
+                let later = rank_medium(knowledge, goal, &other.medium, surface)?;
                 // A heap would lie under what treats the whole surface.
                 let is_under = later >= TREATMENT && rank < TREATMENT;
                 let fact = if is_under && situation.has_predicate(UNDER) {
@@ -280,12 +280,12 @@ impl<'a> Situation<'a> {
                 }
             }
         }
-        situation.wet();
+        situation.derive_wet();
         Ok(situation)
     }
 
     /// Derives the facts `(wet s)` from the liquids on the surfaces.
-    fn wet(&mut self) {
+    fn derive_wet(&mut self) {
         self.facts.retain(|fact| fact[0] != WET);
         let liquids = self.liquids.clone();
         let wet = liquids.iter().filter(|liquid| {
@@ -300,7 +300,7 @@ impl<'a> Situation<'a> {
 
     /// Returns the facts that a part of a goal states, each with whether it is to hold. That a surface is not wet means that no
     /// liquid lies on it.
-    fn expand(&self, holds: bool, part: &GoalLiteral) -> Vec<(bool, Vec<String>)> {
+    fn list_facts_of_part(&self, holds: bool, part: &GoalLiteral) -> Vec<(bool, Vec<String>)> {
         let part = with_declared_predicate(part, self.domain);
         match part.arguments() {
             [surface] if part.predicate() == WET && !holds => {
@@ -323,7 +323,7 @@ impl<'a> Situation<'a> {
         }
     }
 
-    fn name(&mut self, name: &str, type_name: &'static str) {
+    fn add_object(&mut self, name: &str, type_name: &'static str) {
         let object = (name.to_owned(), type_name);
         if !self.objects.contains(&object) {
             self.objects.push(object);
@@ -356,11 +356,12 @@ impl<'a> Situation<'a> {
             return;
         };
         let objects: Vec<&str> = step.objects().iter().map(String::as_str).collect();
-        let problem = self.problem(Vec::new());
+        let problem = self.build_problem(Vec::new());
         let mut facts = self.facts.clone();
         for holds in [false, true] {
             let effects = schema.effects.iter().filter(|effect| effect.holds == holds);
-            for fact in effects.flat_map(|effect| problem.instances(effect, schema, &objects)) {
+            for fact in effects.flat_map(|effect| problem.list_instances(effect, schema, &objects))
+            {
                 let fact = owned(&fact);
                 match holds {
                     _ if !accepts(&fact) => {}
@@ -370,7 +371,7 @@ impl<'a> Situation<'a> {
             }
         }
         self.facts = facts;
-        self.wet();
+        self.derive_wet();
     }
 
     /// Rules a wiping action out from now on: removes the fact that the tool can perform it.
@@ -416,21 +417,23 @@ impl<'a> Situation<'a> {
 
     /// Returns the fact that a wiping action brings about, such as `(absorbed water table)`: the first of its effects.
     /// `None` if the domain has no such action or effect.
-    pub fn effect_of(&self, wiping: &Wiping) -> Option<GoalLiteral> {
+    pub fn find_effect_of(&self, wiping: &Wiping) -> Option<GoalLiteral> {
         let schema = self.schema(wiping.action.as_str())?;
         let objects = bind(schema, wiping)?;
         let effect = schema.added().find(|effect| effect.variables.is_empty())?;
-        let facts = self.problem(Vec::new()).instances(effect, schema, &objects);
+        let facts = self
+            .build_problem(Vec::new())
+            .list_instances(effect, schema, &objects);
         let words = owned(facts.first()?);
         Some(GoalLiteral { words })
     }
 
     /// Returns the wiping actions that may serve a goal: those that bring its parts about, and those that remove a medium
     /// which is in their way. Sorted by surface and medium in the order of the situation, then by action and tool.
-    pub fn possible_wipings(&self, goal: &CompoundGoal) -> Vec<Wiping> {
+    pub fn list_possible_wipings(&self, goal: &CompoundGoal) -> Vec<Wiping> {
         let mut all = Vec::new();
         for on in &self.on_surfaces {
-            let of_medium = self.capable(on);
+            let of_medium = self.list_capable_wipings(on);
             let serving = of_medium.iter().filter(|wiping| self.serves(wiping, goal));
             let serving: Vec<Wiping> = serving.cloned().collect();
             let is = |name: &str| {
@@ -455,7 +458,7 @@ impl<'a> Situation<'a> {
     }
 
     /// Returns the wiping actions that a tool of the situation can perform on a medium and its surface.
-    fn capable(&self, on: &MediumOnSurface) -> Vec<Wiping> {
+    fn list_capable_wipings(&self, on: &MediumOnSurface) -> Vec<Wiping> {
         let mut found = Vec::new();
         for action in Action::ALL {
             for (tool, _) in self.objects.iter().filter(|(_, kind)| *kind == "tool") {
@@ -483,17 +486,18 @@ impl<'a> Situation<'a> {
         let Some(schema) = self.schema(wiping.action.as_str()) else {
             return Vec::new();
         };
-        let problem = self.problem(Vec::new());
+        let problem = self.build_problem(Vec::new());
         let Some(objects) = bind(schema, wiping) else {
             return Vec::new();
         };
         let is_effect = |(holds, words): (bool, Vec<String>)| {
             let effects = schema.effects.iter().filter(|effect| effect.holds == holds);
-            let mut facts = effects.flat_map(|effect| problem.instances(effect, schema, &objects));
+            let mut facts =
+                effects.flat_map(|effect| problem.list_instances(effect, schema, &objects));
             facts.any(|fact| words == owned(&fact))
         };
         let parts = goal.parts.iter().enumerate().filter(|(_, (holds, part))| {
-            let wanted = self.expand(*holds, part);
+            let wanted = self.list_facts_of_part(*holds, part);
             wanted.into_iter().any(&is_effect)
         });
         parts.map(|(place, _)| place).collect()
@@ -515,7 +519,7 @@ impl<'a> Situation<'a> {
             let facts = [IN_WAY, UNDER].map(|name| owned(&[name, medium, &on.medium, surface]));
             on.surface == *surface && facts.iter().any(|fact| self.facts.contains(fact))
         });
-        let behind = cleared.flat_map(|on| self.capable(on));
+        let behind = cleared.flat_map(|on| self.list_capable_wipings(on));
         let served: BTreeSet<usize> = behind
             .flat_map(|wiping| self.find_reached_parts(&wiping, goal))
             .collect();
@@ -523,7 +527,7 @@ impl<'a> Situation<'a> {
     }
 
     /// Returns the planning problem of some parts of a goal.
-    fn problem<'p>(&'p self, goal: Vec<(bool, Fact<'p>)>) -> Problem<'p> {
+    fn build_problem<'p>(&'p self, goal: Vec<(bool, Fact<'p>)>) -> Problem<'p> {
         let constants = self.domain.constants.iter().map(syntax::Typed::as_pair);
         let mut objects: Vec<(&str, &str)> = constants.collect();
         for (name, type_name) in &self.objects {
@@ -557,18 +561,18 @@ impl<'a> Situation<'a> {
         times: &dyn StepTimes,
     ) -> Result<Sequence, GoalError> {
         let facts_of_parts: Vec<Vec<(bool, Vec<String>)>> = (goal.parts.iter())
-            .map(|(holds, part)| self.expand(*holds, part))
+            .map(|(holds, part)| self.list_facts_of_part(*holds, part))
             .collect();
         let costs = Times {
             situation: self,
             places: self.places(place),
-            possible: self.possible_wipings(goal).into_iter().collect(),
+            possible: self.list_possible_wipings(goal).into_iter().collect(),
             times,
         };
         let (mut reached, mut left_out) = (Vec::new(), Vec::new());
         for (facts, part) in facts_of_parts.iter().zip(&goal.parts) {
             let wanted = facts.iter().map(|(holds, words)| (*holds, as_fact(words)));
-            let problem = self.problem(wanted.clone().collect());
+            let problem = self.build_problem(wanted.clone().collect());
             self.check(&part.1)?;
             if problem.cheapest_plan(&costs, 0)?.is_some() {
                 reached.push((part, wanted.collect::<Vec<_>>()));
@@ -585,13 +589,18 @@ impl<'a> Situation<'a> {
                 left_out.push((describe_part(part), reason));
             }
         }
-        let mut steps = self.problem(join(&reached)).cheapest_plan(&costs, 0)?;
+        let mut steps = self
+            .build_problem(collect_facts(&reached))
+            .cheapest_plan(&costs, 0)?;
         if steps.is_none() {
             // As many parts as are reached together, in their order.
             let mut together = Vec::new();
             for one in reached {
                 together.push(one);
-                if let Some(found) = self.problem(join(&together)).cheapest_plan(&costs, 0)? {
+                if let Some(found) = self
+                    .build_problem(collect_facts(&together))
+                    .cheapest_plan(&costs, 0)?
+                {
                     steps = Some(found);
                 } else if let Some((part, _)) = together.pop() {
                     left_out.push((describe_part(part), self.explain_conflict(part)));
@@ -630,7 +639,8 @@ impl<'a> Situation<'a> {
     /// Rejects a part of a goal that does not fit the domain or names an object that is not in the situation.
     fn check(&self, part: &GoalLiteral) -> Result<(), GoalError> {
         let part = with_declared_predicate(part, self.domain);
-        self.problem(vec![(true, as_fact(&part.words))]).check()
+        self.build_problem(vec![(true, as_fact(&part.words))])
+            .check()
     }
 
     /// Returns the places of steps: the present one, then all surfaces and racks.
@@ -662,7 +672,7 @@ fn bind<'p>(schema: &Schema, wiping: &'p Wiping) -> Option<Vec<&'p str>> {
 type Reached<'a> = (&'a (bool, GoalLiteral), Vec<(bool, Fact<'a>)>);
 
 /// Returns the facts of all parts.
-fn join<'a>(parts: &[Reached<'a>]) -> Vec<(bool, Fact<'a>)> {
+fn collect_facts<'a>(parts: &[Reached<'a>]) -> Vec<(bool, Fact<'a>)> {
     let facts = parts.iter().flat_map(|(_, facts)| facts.clone());
     facts.collect()
 }
@@ -740,7 +750,7 @@ const TREATMENT: u8 = 2;
 const COAT: u8 = 3;
 
 /// Returns the rank of a medium on a surface. The goal decides whether it is a treatment.
-fn rank(
+fn rank_medium(
     knowledge: &KnowledgeBase,
     goal: &CompoundGoal,
     medium: &str,

@@ -82,7 +82,7 @@ pub(super) enum Listed {
 }
 
 /// Reads a typed list `a b - t c`; names without a type are of type `object`.
-pub(super) fn typed_list(
+pub(super) fn read_typed_list(
     source: Source<'_>,
     forms: &[Form],
     listed: Listed,
@@ -139,7 +139,7 @@ fn variable(word: &str) -> Option<&str> {
 }
 
 /// Returns the predicate of an atom, and its arguments.
-pub(super) fn predicate<'f>(
+pub(super) fn read_predicate<'f>(
     source: Source<'_>,
     form: &'f Form,
 ) -> Result<(&'f str, &'f [Form]), GoalError> {
@@ -155,8 +155,8 @@ pub(super) fn predicate<'f>(
 }
 
 /// Reads `(predicate argument ...)`.
-pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
-    let (head, arguments) = predicate(source, form)?;
+pub(super) fn read_atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
+    let (head, arguments) = read_predicate(source, form)?;
     let mut words = vec![head.to_owned()];
     for argument in arguments {
         let word = argument.word().unwrap_or_default();
@@ -170,7 +170,7 @@ pub(super) fn atom(source: Source<'_>, form: &Form) -> Result<Atom, GoalError> {
 
 /// Reads an atom, `(not atom)`, `(forall (variables) ...)` or `(when (condition) ...)` of these, or an `(and ...)` of all of
 /// them; `()` is empty.
-pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
+pub(super) fn read_literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, GoalError> {
     let single = |holds, atom| Literal {
         variables: Vec::new(),
         holds,
@@ -180,14 +180,14 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, 
     match form.head() {
         None if form.list().is_some_and(<[Form]>::is_empty) => Ok(Vec::new()),
         Some(("and", forms)) => {
-            let parts = forms.iter().map(|form| literals(source, form));
+            let parts = forms.iter().map(|form| read_literals(source, form));
             Ok(parts.collect::<Result<Vec<_>, _>>()?.concat())
         }
         Some(("forall", [variables, body])) => {
             let list = variables.list();
             let list = list.ok_or_else(|| source.expected("a list of variables", variables))?;
-            let variables = typed_list(source, list, Listed::Variables)?;
-            let mut literals = literals(source, body)?;
+            let variables = read_typed_list(source, list, Listed::Variables)?;
+            let mut literals = read_literals(source, body)?;
             for literal in &mut literals {
                 if !literal.variables.is_empty() {
                     return Err(source.not_supported(form.at, "`forall` in `forall`"));
@@ -197,7 +197,7 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, 
             Ok(literals)
         }
         Some(("when", [condition, body])) => {
-            let conditions = literals(source, condition)?;
+            let conditions = read_literals(source, condition)?;
             let is_plain =
                 |one: &Literal| one.holds && one.variables.is_empty() && one.conditions.is_empty();
             if !conditions.iter().all(is_plain) {
@@ -205,7 +205,7 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, 
                 return Err(source.not_supported(condition.at, what));
             }
             let conditions: Vec<Atom> = conditions.into_iter().map(|one| one.atom).collect();
-            let mut literals = literals(source, body)?;
+            let mut literals = read_literals(source, body)?;
             if literals
                 .iter()
                 .any(|one| !one.variables.is_empty() || !one.conditions.is_empty())
@@ -222,8 +222,8 @@ pub(super) fn literals(source: Source<'_>, form: &Form) -> Result<Vec<Literal>, 
         Some(("not", [form])) if form.head().is_some_and(|(head, _)| head == "not") => {
             Err(source.not_supported(form.at, "`(not (not ...))`"))
         }
-        Some(("not", [form])) => Ok(vec![single(false, atom(source, form)?)]),
+        Some(("not", [form])) => Ok(vec![single(false, read_atom(source, form)?)]),
         Some(("not", _)) => Err(source.expected("`(not atom)`", form)),
-        _ => Ok(vec![single(true, atom(source, form)?)]),
+        _ => Ok(vec![single(true, read_atom(source, form)?)]),
     }
 }

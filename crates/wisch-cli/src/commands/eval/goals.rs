@@ -8,7 +8,7 @@ use super::scenarios::{in_percent, quartiles};
 use super::{Provenance, begin_evidence_of, conclude, finish_evidence, outcome};
 use crate::args::{Cli, Command, GlobalArgs, GoalEvaluationArgs, WipeArgs};
 use crate::failure::Failure;
-use crate::terminal::{Outcome, hush};
+use crate::terminal::{Outcome, run_without_notes};
 use serde::Serialize;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -129,7 +129,7 @@ fn evaluate(args: &GoalEvaluationArgs, seed: u64, folder: &Path) -> Result<GoalR
             "the arguments of `wisch run` were parsed as another command",
         ));
     };
-    let summary = hush(|| run_goal(follow, rounds, &cli.global))?;
+    let summary = run_without_notes(|| run_goal(follow, rounds, &cli.global))?;
     Ok(GoalRunScore {
         task: args.task.clone(),
         inputs: digest_inputs(&args.task)?,

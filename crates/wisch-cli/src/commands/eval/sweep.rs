@@ -10,8 +10,8 @@ use crate::terminal::{Outcome, remark};
 use serde::Serialize;
 use std::path::Path;
 use wisch_eval::{
-    Axis, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, WipingExtent, cells, sweep_cells,
-    sweep_figures,
+    Axis, Quantity, SweepCase, SweepCell, SweepRun, SweepSetup, WipingExtent, group_sweep_runs,
+    list_combinations, sweep_figures,
 };
 use wisch_io::{LoadOptions, load_task, robot_warnings};
 
@@ -33,7 +33,7 @@ struct SweepRecord {
 pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (first, seeds) = (args.seeds.first_seed, args.seeds.seeds);
     let provenance = Provenance::begin("wisch sweep", SCHEMA, first, seeds);
-    let combinations = cells(&args.axes)
+    let combinations = list_combinations(&args.axes)
         .filter(|cells| (cells.len() as u64).saturating_mul(seeds) <= MAX_RUNS)
         .ok_or_else(|| {
             Failure::new(format!("the sweep has more than {MAX_RUNS} runs"))
@@ -79,7 +79,7 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let record = SweepRecord {
         provenance,
         axes: args.axes.clone(),
-        cells: sweep_cells(&combinations, &runs),
+        cells: group_sweep_runs(&combinations, &runs),
         setup: setup.clone(),
         runs,
     };

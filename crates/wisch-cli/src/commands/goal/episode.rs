@@ -70,7 +70,7 @@ impl GoalEpisode {
         first: &Summary,
     ) -> Result<RememberedGoal, Failure> {
         let situation = file.situation().map_err(Failure::new)?;
-        let wipings: BTreeMap<String, Wiping> = (situation.possible_wipings(&file.goal))
+        let wipings: BTreeMap<String, Wiping> = (situation.list_possible_wipings(&file.goal))
             .into_iter()
             .map(|wiping| (wiping.to_string(), wiping))
             .collect();

@@ -6,7 +6,7 @@ use super::super::words::{internal, percent};
 use super::summary::{
     AssumedTimes, CHANGE, EMPTY, GoalPart, GoalSummary, SCHEMA, SPEED, TakenStep,
 };
-use super::summary::{describe_sequence, describe_step, time_of};
+use super::summary::{describe_sequence, describe_step, measure_time};
 use super::task::{Expected, GoalTask};
 use crate::args::TaskArgs;
 use crate::failure::Failure;
@@ -102,7 +102,7 @@ impl<'a> GoalRun<'a> {
         mut self,
         wipe: &mut dyn FnMut(&TaskArgs, &Path) -> Result<SurfaceOutcome, Failure>,
     ) -> Result<(GoalSummary, Option<Failure>), Failure> {
-        let mut sequence = self.plan_on()?;
+        let mut sequence = self.plan_remaining_steps()?;
         let expected_s = sequence.time();
         remark(&describe_sequence(&sequence));
         let mut broken = None;
@@ -144,9 +144,9 @@ impl<'a> GoalRun<'a> {
             }
             // The way to the surface is not part of the motions.
             let way = step.time - self.task.wiping(&wiping).unwrap_or(step.time);
-            let took = way + time_of(&wiped.summary, self.is_executed);
+            let took = way + measure_time(&wiped.summary, self.is_executed);
             *self.taken.entry(wiping.clone()).or_default() += took - way;
-            let fact = self.situation.effect_of(&wiping);
+            let fact = self.situation.find_effect_of(&wiping);
             self.note(&step, took, Some(wiped), tries);
             if let (Some(taken), Some(fact)) = (self.steps.last_mut(), fact) {
                 taken.part = Some(fact.to_string());
@@ -169,7 +169,7 @@ impl<'a> GoalRun<'a> {
                 break;
             }
             if !is_reached {
-                sequence = self.plan_on()?;
+                sequence = self.plan_remaining_steps()?;
             }
         }
         Ok((self.finish(expected_s), broken))
@@ -252,7 +252,7 @@ impl<'a> GoalRun<'a> {
     }
 
     /// Plans the remaining steps from the present situation and place.
-    fn plan_on(&mut self) -> Result<Sequence, Failure> {
+    fn plan_remaining_steps(&mut self) -> Result<Sequence, Failure> {
         let last = self.steps.last().map(|step| step.place());
         let place = match &last {
             Some((true, name)) => StepPlace::Surface(name),
@@ -329,7 +329,7 @@ impl<'a> GoalRun<'a> {
                 let reason = reason.map(|(_, reason)| self.explain(fact, reason));
                 // Without an execution, a step is assumed to succeed; its prediction may say otherwise.
                 let unmet = self.unmet.iter().find(|wiping| {
-                    self.situation.effect_of(wiping).as_ref() == Some(fact)
+                    self.situation.find_effect_of(wiping).as_ref() == Some(fact)
                         || (!holds && fact.arguments() == [wiping.surface.clone()])
                 });
                 let unmet =
@@ -382,7 +382,7 @@ impl<'a> GoalRun<'a> {
     fn explain(&self, fact: &GoalLiteral, reason: &str) -> String {
         let names = fact.arguments();
         let of_fact = self.task.expected.iter().filter_map(|(wiping, expected)| {
-            let serves = self.situation.effect_of(wiping).as_ref() == Some(fact)
+            let serves = self.situation.find_effect_of(wiping).as_ref() == Some(fact)
                 || (names == [wiping.surface.clone()]);
             match expected {
                 Expected::Impossible(why) if serves => Some(format!("{wiping}: {why}")),

@@ -136,7 +136,7 @@ impl TakenStep {
 ///
 /// `is_executed`: whether steps are executed. The time is then measured, and 0 if nothing moved. Otherwise it is that of the
 /// planned motion; without a robot, the path length over [`SPEED`].
-pub fn time_of(summary: &Summary, is_executed: bool) -> f64 {
+pub fn measure_time(summary: &Summary, is_executed: bool) -> f64 {
     match (&summary.execution, &summary.following) {
         (Some(execution), _) => execution.total(|round| round.execution_time_s),
         // Nothing was wiped, or the motion was refused.

@@ -93,7 +93,7 @@ impl<'a> GoalTask<'a> {
             swept: BTreeMap::new(),
         };
         let mut known: Option<Robot> = None;
-        let wipings = situation.possible_wipings(&file.goal);
+        let wipings = situation.list_possible_wipings(&file.goal);
         for (wiping, number) in wipings.iter().zip(1..) {
             progress.say(format!("planning {wiping} ({number} of {})", wipings.len()));
             let part = task.part(&situation, wiping, &[])?;
@@ -185,7 +185,7 @@ impl<'a> GoalTask<'a> {
             medium,
             surface,
         } = wiping;
-        let fact = situation.effect_of(wiping);
+        let fact = situation.find_effect_of(wiping);
         let fact = fact.ok_or_else(|| internal("a wiping action has no effect"))?;
         let text = |text: &str| serde_json::Value::from(text).to_string();
         let own = [

@@ -339,7 +339,7 @@ impl<'b> EvidenceReader<'_, 'b> {
                 undeclared: (rounds.iter().filter(is_undeclared))
                     .map(|round| round.place.clone())
                     .collect(),
-                rounds: seen_rounds(prepared, rounds, self.progress)?,
+                rounds: read_observed_rounds(prepared, rounds, self.progress)?,
                 runs: vec![run.folder.clone()],
             });
         }
@@ -424,7 +424,7 @@ fn known_interaction(
 }
 
 /// Interprets the rounds of a run and pairs their camera observations with the measured exposure of each particle.
-fn seen_rounds(
+fn read_observed_rounds(
     prepared: &LoadedTask,
     rounds: Vec<RecordedRound>,
     progress: &Progress,

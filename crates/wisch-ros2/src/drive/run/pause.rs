@@ -1,6 +1,6 @@
 //! Pauses: the goal is canceled, the robot rests, and another goal continues from where it stands.
 
-use super::{ANSWER, MotionRun, Turned, ended_kind, stop};
+use super::{ANSWER, MotionResult, MotionRun, ended_kind, stop};
 use crate::goals::TrajectoryAction;
 use crate::motion::Part;
 use crate::pace::GoalPace;
@@ -18,7 +18,7 @@ impl MotionRun<'_> {
     ///
     /// # Errors
     /// The ending of the motion, for example if somebody has moved the robot.
-    pub(super) fn pause_if_wanted(&mut self) -> Turned<()> {
+    pub(super) fn pause_if_wanted(&mut self) -> MotionResult<()> {
         if !self.wants_pause {
             return Ok(());
         }
@@ -29,14 +29,14 @@ impl MotionRun<'_> {
         self.say_pause("paused", json!({"reason": REASON}))?;
         let rested = self.latest.positions.clone();
         while self.wants_pause {
-            self.turn()?;
+            self.supervise_once()?;
             self.check_unmoved(&rested)?;
         }
         self.say_pause("resumed", json!({}))
     }
 
     /// Tells wisch that a pause begins or ends with the latest sample.
-    fn say_pause(&self, what: &str, mut content: Value) -> Turned<()> {
+    fn say_pause(&self, what: &str, mut content: Value) -> MotionResult<()> {
         content["time_s"] = json!(self.sample_time.max(0.0));
         if self.outgoing.say(&json!({what: content})) {
             return Ok(());
@@ -45,7 +45,7 @@ impl MotionRun<'_> {
     }
 
     /// Ends a motion whose robot was moved while it paused. `rested`: positions at the start of the pause [rad or m].
-    fn check_unmoved(&self, rested: &[f64]) -> Turned<()> {
+    fn check_unmoved(&self, rested: &[f64]) -> MotionResult<()> {
         let limit = self.robot.file.limits.start_rad;
         let joints = rested.iter().zip(&self.latest.positions);
         for (name, (rested, measured)) in self.robot.names.iter().zip(joints) {
@@ -67,7 +67,7 @@ impl MotionRun<'_> {
         &mut self,
         id: GoalId,
         mut result: impl FnMut(&TrajectoryAction) -> Option<GoalStatusEnum>,
-    ) -> Turned<bool> {
+    ) -> MotionResult<bool> {
         let _ = self.robot.action.cancel_goal(id);
         if let Some(goal) = &mut self.goal {
             goal.is_ending = true;

@@ -1,6 +1,6 @@
 //! Taring, and force along the normal of the surface.
 
-use super::{ANSWER, MotionRun, Turned, stop};
+use super::{ANSWER, MotionResult, MotionRun, stop};
 use crate::messages::{
     EmptyRequest, ForceModeRequest, Header, PoseStamped, QuaternionMessage, Vector, VectorPair,
 };
@@ -24,7 +24,7 @@ const GAIN: f32 = 0.5;
 
 impl MotionRun<'_> {
     /// Makes the present force zero, and checks that it is.
-    pub(super) fn tare(&mut self) -> Turned<()> {
+    pub(super) fn tare(&mut self) -> MotionResult<()> {
         self.settle()?;
         self.bias = Vector3::zeros();
         (self.is_tared, self.is_tared_anew) = (false, false);
@@ -78,26 +78,26 @@ impl MotionRun<'_> {
     }
 
     /// Waits while samples are passed on.
-    fn turn_for(&mut self, time: Duration) -> Turned<()> {
+    fn turn_for(&mut self, time: Duration) -> MotionResult<()> {
         let end = Instant::now() + time;
         while Instant::now() < end {
-            self.turn()?;
+            self.supervise_once()?;
         }
         Ok(())
     }
 
-    fn measure_forces(&mut self, time: Duration) -> Turned<Vec<Vector3<f64>>> {
+    fn measure_forces(&mut self, time: Duration) -> MotionResult<Vec<Vector3<f64>>> {
         let end = Instant::now() + time;
         let mut forces = Vec::new();
         while Instant::now() < end {
-            self.turn()?;
+            self.supervise_once()?;
             forces.push(self.force);
         }
         Ok(forces)
     }
 
     /// Switches force along the normal on.
-    pub(super) fn start_pressing(&mut self) -> Turned<()> {
+    pub(super) fn start_pressing(&mut self) -> MotionResult<()> {
         let robot = self.robot;
         let Some(force) = &robot.force else {
             return Ok(());
@@ -122,7 +122,7 @@ impl MotionRun<'_> {
         let contact = CONTACT_SHARE * self.motion.head.press_force_n;
         let deadline = Instant::now() + CONTACT_TIMEOUT;
         while self.force.dot(&self.motion.normal()) < contact && Instant::now() < deadline {
-            self.turn()?;
+            self.supervise_once()?;
         }
         Ok(())
     }
@@ -171,7 +171,7 @@ impl MotionRun<'_> {
     }
 
     /// Switches force along the normal off.
-    pub(super) fn stop_pressing(&mut self) -> Turned<()> {
+    pub(super) fn stop_pressing(&mut self) -> MotionResult<()> {
         let robot = self.robot;
         let Some(force) = robot.force.as_ref().filter(|_| self.is_pressing) else {
             return Ok(());

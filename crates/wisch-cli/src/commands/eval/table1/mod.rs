@@ -16,7 +16,7 @@ use wisch::plan::Strategy;
 use wisch::represent::Action;
 use wisch_eval::{
     Quantity, Table1Case, Table1Row, Table1Run, Table1Setup, TaskCase, WipingExtent,
-    table1_figures, table1_rows,
+    build_table1_rows, table1_figures,
 };
 use wisch_io::load_task;
 
@@ -50,7 +50,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
     let is_executed = setup.extent == WipingExtent::Executed;
     let evidence = begin_evidence(&args.evidence, Some((out, &args.journal)), is_executed)?;
     let Evaluated { all: runs, failed } = cases.evaluate_part(out, &args.journal, global)?;
-    let rows = table1_rows(&runs);
+    let rows = build_table1_rows(&runs);
     let own = || rows.iter().filter(|row| row.is_papers_own);
     let mut record = Table1Record {
         provenance,
