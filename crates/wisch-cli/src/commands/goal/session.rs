@@ -144,7 +144,8 @@ impl<'a> GoalRun<'a> {
             }
             // The way to the surface is not part of the motions.
             let way = step.time - self.task.wiping(&wiping).unwrap_or(step.time);
-            let took = way + measure_time(&wiped.summary, self.is_executed);
+            let time = measure_time(&wiped.summary, self.is_executed);
+            let took = time.map_or(step.time, |time| way + time);
             *self.taken.entry(wiping.clone()).or_default() += took - way;
             let fact = self.situation.find_effect_of(&wiping);
             self.note(&step, took, Some(wiped), tries);

@@ -132,17 +132,16 @@ impl TakenStep {
     }
 }
 
-/// Returns the time of the motions of a wiping step [s].
+/// Returns the time of the motions of a wiping step [s]; `None` if no motion is known.
 ///
 /// `is_executed`: whether steps are executed. The time is then measured, and 0 if nothing moved. Otherwise it is that of the
-/// planned motion; without a robot, the path length over [`SPEED`].
-pub fn measure_time(summary: &Summary, is_executed: bool) -> f64 {
+/// planned motion.
+pub fn measure_time(summary: &Summary, is_executed: bool) -> Option<f64> {
     match (&summary.execution, &summary.following) {
-        (Some(execution), _) => execution.total(|round| round.execution_time_s),
+        (Some(execution), _) => Some(execution.total(|round| round.execution_time_s)),
         // Nothing was wiped, or the motion was refused.
-        (None, _) if is_executed => 0.0,
-        (None, Some(following)) => following.execution_time_s,
-        (None, None) => summary.distance_total_m / SPEED,
+        (None, _) if is_executed => Some(0.0),
+        (None, following) => (following.as_ref()).map(|following| following.execution_time_s),
     }
 }
 
@@ -219,7 +218,7 @@ impl GoalSummary {
                 expected_s,
                 ..
             } = step;
-            let times = format!("{took_s:.1} s ({expected_s:.1} s expected)");
+            let times = self.times(*took_s, *expected_s);
             let result = match (&step.summary, step.goal_met) {
                 (Some(summary), is_met) => format!(", {}", describe_result(summary, is_met)),
                 (None, _) => String::new(),
@@ -229,10 +228,7 @@ impl GoalSummary {
                 format!("{words}: {times}{result}"),
             );
         }
-        add(
-            "time",
-            format!("{:.1} s ({:.1} s expected)", self.took_s, self.expected_s),
-        );
+        add("time", self.times(self.took_s, self.expected_s));
         add(
             "assumed",
             format!(
@@ -241,6 +237,15 @@ impl GoalSummary {
         );
         add("results", self.out.clone());
         text
+    }
+
+    /// Returns a time that was needed, beside the expected one [s]; that alone where there is no other.
+    fn times(&self, took: f64, expected: f64) -> String {
+        if !self.is_executed && took == expected {
+            format!("{expected:.1} s expected")
+        } else {
+            format!("{took:.1} s ({expected:.1} s expected)")
+        }
     }
 
     /// Returns an HTML page over all steps, which links to the pages of the wiping steps.
@@ -270,7 +275,7 @@ impl GoalSummary {
                 (part.part.clone(), state)
             })
             .collect();
-        let time = format!("{:.1} s ({:.1} s expected)", self.took_s, self.expected_s);
+        let time = self.times(self.took_s, self.expected_s);
         let assumed = format!(
             "{CHANGE} s to fetch or put back a tool, {EMPTY} s to empty one, {SPEED} m/s between places"
         );
