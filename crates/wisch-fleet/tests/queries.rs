@@ -312,7 +312,7 @@ async fn an_episode_of_two_sources_counts_once() {
     let other = memory(&folder.path().join("other"), &all[8..]);
     let mut sources = Vec::new();
     for memory in [&one, &other] {
-        sources.extend(local(memory, Part::Facts).await.unwrap().sources);
+        sources.extend(open_local(memory, Part::Facts).await.unwrap().sources);
     }
     let session = SqlSession::new(&sources).await.unwrap();
     assert_eq!(session.shared(), 4);

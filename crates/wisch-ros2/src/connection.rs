@@ -349,8 +349,11 @@ mod tests {
 
     #[test]
     fn safety_modes_are_stops_of_their_kinds() {
-        assert_eq!(safety_mode(3).0, Kind::ProtectiveStop);
-        assert_eq!(safety_mode(7).0, Kind::EmergencyStop);
-        assert_eq!(safety_mode(99), (Kind::Operator, "number 99".to_owned()));
+        assert_eq!(name_safety_mode(3).0, Kind::ProtectiveStop);
+        assert_eq!(name_safety_mode(7).0, Kind::EmergencyStop);
+        assert_eq!(
+            name_safety_mode(99),
+            (Kind::Operator, "number 99".to_owned())
+        );
     }
 }
