@@ -64,7 +64,7 @@ fn a_board_is_wiped_step_by_step() {
         taken[0], "(collect sponge breadcrumbs chopping_board)",
         "{taken:?}"
     );
-    assert!(err.contains("2 steps in "), "{err}");
+    assert!(err.contains("2 steps, "), "{err}");
     let is_met = summary["goal_met"].as_bool().unwrap();
     assert_eq!(code, i32::from(!is_met));
     let parts = summary["parts"].as_array().unwrap();
