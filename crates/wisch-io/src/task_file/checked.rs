@@ -11,8 +11,8 @@ use super::tables::{
 use super::tree::{Source, description, integer};
 use super::values::{AngleRad, Name, PositionM, QuaternionPart, mask, point};
 use super::{
-    Frame, Intent, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape, SurfaceMesh,
-    SurfacePatch, SurfaceRecord, TaskError, TaskFile, parts,
+    Frame, Intent, NO_SKIM_OF_MESH, ObjectRecord, RobotDescription, RobotRecord, SCHEMA, Shape,
+    SurfaceMesh, SurfacePatch, SurfaceRecord, TaskError, TaskFile, parts,
 };
 use crate::particles::ParticleSource;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
@@ -244,8 +244,7 @@ fn surface(table: &At<SurfaceTable>, scene: &[ObjectRecord]) -> Result<SurfaceRe
                 return Err(hole.inconsistent(of_outline));
             }
             if let Some(edge) = surface.skim_edges.first() {
-                return Err(edge
-                    .inconsistent("needs size_m or outline_m; the border of a mesh has no names"));
+                return Err(edge.inconsistent(NO_SKIM_OF_MESH));
             }
             // Replaced by the border of the mesh.
             Outline::rectangle(Vector2::new(1.0, 1.0))

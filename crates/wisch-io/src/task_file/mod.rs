@@ -166,6 +166,9 @@ struct SurfaceMesh {
     patch: Option<(SurfacePatch, Place)>,
 }
 
+/// Why a mesh is not skimmed, and what to do instead.
+const NO_SKIM_OF_MESH: &str = "a mesh cannot be skimmed, because its border has no edges that skim_edges could name; choose absorb or collect, or describe the surface with size_m or outline_m";
+
 /// A patch of a divided surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SurfacePatch {

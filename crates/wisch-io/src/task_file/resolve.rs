@@ -1,7 +1,9 @@
 //! Resolves a task file: looks up knowledge, reads files and places particles.
 
 use super::extent::{USUAL_OBJECT, USUAL_SURFACE, check_object, check_tool};
-use super::{Frame, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile};
+use super::{
+    Frame, NO_SKIM_OF_MESH, ObjectRecord, Shape, SurfaceMesh, SurfacePatch, TaskError, TaskFile,
+};
 use crate::particles::{ParticleSource, csv_particles, mask_particles};
 use crate::shell::shell_word;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -74,12 +76,8 @@ impl TaskFile {
                 ),
             });
         }
-        if action == Action::Skim && surface.skim_edges.is_empty() {
-            return Err(TaskError::Inconsistent {
-                at: self.surface.at.clone(),
-                key: "surface".to_owned(),
-                problem: "key \"skim_edges\" is missing: a skim pushes the dirt over edges of the surface, such as skim_edges = [\"y_min\"]".to_owned(),
-            });
+        if action == Action::Skim {
+            self.check_skim_edges()?;
         }
         let treatment = self.treatment(action)?;
         let mesh = match &entry.mesh {
@@ -133,6 +131,24 @@ impl TaskFile {
             });
         }
         Ok(task)
+    }
+
+    /// Checks that the surface has edges over which a skim can push the dirt.
+    fn check_skim_edges(&self) -> Result<(), TaskError> {
+        let (at, key, problem) = match &self.surface.mesh {
+            Some(mesh) => (&mesh.at, "surface.mesh", NO_SKIM_OF_MESH),
+            None if self.surface.surface.skim_edges.is_empty() => (
+                &self.surface.at,
+                "surface",
+                "key \"skim_edges\" is missing: a skim pushes the dirt over edges of the surface, such as skim_edges = [\"y_min\"]",
+            ),
+            None => return Ok(()),
+        };
+        Err(TaskError::Inconsistent {
+            at: at.clone(),
+            key: key.to_owned(),
+            problem: problem.to_owned(),
+        })
     }
 
     /// Returns the treatment of an action that treats the surface; `None` for an action that moves dirt.

@@ -10,6 +10,8 @@ use crate::camera::hull;
 use crate::{SimulationError, SimulationSettings};
 use nalgebra::{Matrix2, Translation3, UnitQuaternion};
 use rapier3d_f64::geometry::{SharedShape, TriMeshFlags};
+use rapier3d_f64::math as engine;
+use rapier3d_f64::pipeline::{ActiveHooks, ContactModificationContext, PhysicsHooks};
 use wisch::geometry::{Bounds2, Edge, Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::represent::{Surface, SurfaceShape, Task};
 
@@ -19,6 +21,10 @@ const SPRINGS: usize = 16;
 const MOST_CORNERS: usize = 5;
 /// Distance of a corner of a larger slab from the chord of its neighbours below which it is left out [m].
 const LEAST_CORNER: f64 = 1e-3;
+/// Least part of a contact's normal along the slab's normal with which a divided slab carries the plate [1], and
+/// depth of the plate's middle below the slab from which the slab's sides stop it [m].
+const LEAST_UPWARD: f64 = 0.5;
+const BELOW_SLAB: f64 = 0.01;
 /// Error of the mean compression that is left [m].
 const LEAST_EXCESS: f64 = 1e-12;
 /// Least share of the springs that count as touching when the slab follows the plate [1].
@@ -80,6 +86,45 @@ fn without_flat_corners(mut corners: Vec<Point2>) -> Vec<Point2> {
         };
     }
     corners
+}
+
+/// Contacts of the plate with a slab that is divided into triangles.
+///
+/// The engine finds the contact with each triangle by itself. At the border of a triangle, or of the slab, it may point
+/// sideways and stop the plate, although other triangles carry it. Only contacts from below are kept.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CarriedFromBelow;
+
+impl CarriedFromBelow {
+    /// Returns the hooks of a plate on this slab: none on a slab that is one solid.
+    pub fn choose_hooks(slab: &SharedShape) -> ActiveHooks {
+        if slab.as_trimesh().is_some() {
+            ActiveHooks::MODIFY_SOLVER_CONTACTS
+        } else {
+            ActiveHooks::empty()
+        }
+    }
+}
+
+impl PhysicsHooks for CarriedFromBelow {
+    fn modify_solver_contacts(&self, context: &mut ContactModificationContext<'_>) {
+        let colliders = [context.collider1, context.collider2];
+        let [first, second] = colliders.map(|handle| &context.colliders[handle]);
+        // The normal points to the second one; the plate is the one with hooks.
+        let (slab, plate, sign) = if first.active_hooks().is_empty() {
+            (first, second, 1.0)
+        } else {
+            (second, first, -1.0)
+        };
+        let up = slab.position().rotation * engine::Vector::Z;
+        let height = up.dot(plate.translation() - slab.translation());
+        if let Some(contact) = context.rigid_mut()
+            && sign * contact.normal.dot(up) < LEAST_UPWARD
+            && height > -BELOW_SLAB
+        {
+            contact.solver_contacts.clear();
+        }
+    }
 }
 
 /// The surface under the tool at the current time.

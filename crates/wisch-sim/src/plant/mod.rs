@@ -16,7 +16,7 @@ pub(super) use held_tool::HeldTool;
 
 use self::compliance::{compliance, foam_springs, plate_thickness};
 use self::drives::{Coupling, Drives, Link, add_bodies};
-use self::ground::{BentContact, GroundUnderTool, facets, slab};
+use self::ground::{BentContact, CarriedFromBelow, GroundUnderTool, facets, slab};
 use self::shapes::{add_scene, add_shapes, prism};
 use crate::{SimulationError, SimulationSettings, Waviness};
 use rapier3d_f64::dynamics::{
@@ -161,15 +161,16 @@ impl Plant {
             plate_thickness(tool),
         );
         let plate_shape = plate_shape.ok_or(SimulationError::NoFootprint)?;
+        let real = find_real_surface(task, settings);
+        let slab = slab(&real).ok_or(SimulationError::NoSurface)?;
         let plate_collider = world.insert_collider(
             ColliderBuilder::new(plate_shape)
                 .density(0.0)
                 .friction(settings.friction)
+                .active_hooks(CarriedFromBelow::choose_hooks(&slab))
                 .collision_groups(groups(PLATE, SURFACE)),
             Some(plate),
         );
-        let real = find_real_surface(task, settings);
-        let slab = slab(&real).ok_or(SimulationError::NoSurface)?;
         let mut lay = |shape, meets| {
             world.insert_collider(
                 ColliderBuilder::new(shape)
@@ -276,7 +277,7 @@ impl Plant {
 
     /// Advances the world by one period.
     pub fn step(&mut self) {
-        self.world.step();
+        self.world.step_with_events(&CarriedFromBelow, &());
     }
 
     /// Whether robot or tool touch anything but the surface.

@@ -465,7 +465,7 @@ fn a_mesh_is_a_surface_with_its_border_as_outline() {
         ),
         (
             format!("{upwards}\nskim_edges = [\"y_min\"]"),
-            "11:15: surface.skim_edges[0]: needs size_m or outline_m",
+            "11:15: surface.skim_edges[0]: a mesh cannot be skimmed",
         ),
         (
             format!("{upwards}\nshape = \"cylinder\"\nradius_m = 1.0"),
@@ -486,4 +486,11 @@ fn a_mesh_is_a_surface_with_its_border_as_outline() {
             "\n  {error}\n  {expected}"
         );
     }
+    let mesh = parsed(&with(upwards)).unwrap();
+    let error = resolved_as(&mesh, Action::Skim, "sponge", "breadcrumbs", &assets).unwrap_err();
+    let error = error.to_string();
+    assert!(
+        error.starts_with("small.toml:10:17: surface.mesh: a mesh cannot be skimmed"),
+        "{error}"
+    );
 }
