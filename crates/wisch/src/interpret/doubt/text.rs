@@ -91,11 +91,7 @@ impl fmt::Display for Doubt {
             Self::HandGuided { share } => write_guided(f, share),
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
             Self::LoadInAir { force, mass } => write_load(f, force, mass),
-            Self::ContactBesideSurface { share } => write!(
-                f,
-                "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
-                100.0 * share
-            ),
+            Self::ContactBesideSurface { share } => write_contact_beside(f, share),
             Self::Scattered { inliers, confident } => write!(
                 f,
                 "only {inliers} of {confident} confident contacts lie on one plane"
@@ -560,6 +556,15 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
     write!(
         f,
         "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
+    )
+}
+
+/// Writes [`Doubt::ContactBesideSurface`].
+fn write_contact_beside(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
+        100.0 * share
     )
 }
 
