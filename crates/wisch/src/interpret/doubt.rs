@@ -244,6 +244,14 @@ pub enum Doubt {
         /// Largest angle that is searched \[rad\].
         searched: f64,
     },
+    /// In contact, the tool turns by more than a quarter turn between two samples: a faster turn looks like a slower one in
+    /// the other direction.
+    FastTurns {
+        /// Median angle between two samples, as the log shows it \[rad\].
+        turn: f64,
+        /// Whether the effect of the tool depends on its turns, as in polishing.
+        counts: bool,
+    },
     /// In contact, the z axis of the tool's frame leans away from the normal of the surface.
     ToolLeans {
         /// Median angle between the two lines, from 0 to π/2 \[rad\].
@@ -369,6 +377,7 @@ impl Doubt {
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
             Self::HeldPoses { period } => *period > LONGEST_PERIOD,
+            Self::FastTurns { counts, .. } => *counts,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::PositionsContradictPose { distance, angle } => {
                 *distance > MOST_CONTRADICTION[0] || *angle > MOST_CONTRADICTION[1]

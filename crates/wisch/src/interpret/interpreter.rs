@@ -11,6 +11,7 @@ use super::contact::{
 use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
+use super::fast_turns::find_fast_turns;
 use super::interpretation::{Diagnosis, Interpretation};
 use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
@@ -199,6 +200,8 @@ impl Interpreter {
                 *matters = replay.difference_by_scale(&belief, goal);
             }
         }
+        let turning = find_fast_turns(&analysis.classified.path, goal.action().treats());
+        analysis.doubts.extend(turning);
         if analysis.doubts.iter().any(is_misreading) {
             // Absorbed dirt and dirt off the surface do not return, even if the log does not show
             // all contacts.

@@ -83,6 +83,7 @@ impl fmt::Display for Doubt {
                 of,
                 farthest,
             } => write_beside(f, left_out, of, farthest),
+            Self::FastTurns { turn, .. } => write_fast_turns(f, turn),
             Self::PositionsContradictPose { distance, angle } => {
                 write_elsewhere(f, distance, angle)
             }
@@ -556,6 +557,15 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
     write!(
         f,
         "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
+    )
+}
+
+/// Writes [`Doubt::FastTurns`].
+fn write_fast_turns(f: &mut fmt::Formatter<'_>, turn: f64) -> fmt::Result {
+    write!(
+        f,
+        "in contact the tool turns by about {:.0}° between two samples: the log does not show whether it turns faster, as more than half a turn looks like less in the other direction; record the pose at a higher rate",
+        turn.to_degrees()
     )
 }
 
