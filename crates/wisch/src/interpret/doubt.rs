@@ -244,6 +244,11 @@ pub enum Doubt {
         /// Largest angle that is searched \[rad\].
         searched: f64,
     },
+    /// The contacts lie on another shape than a plane, so that only their height is used for the pose of the surface.
+    HeightOnly {
+        /// Median height of the contacts over the believed surface \[m\].
+        height: f64,
+    },
     /// In contact, the tool turns by more than a quarter turn between two samples: a faster turn looks like a slower one in
     /// the other direction.
     FastTurns {
@@ -418,6 +423,7 @@ impl Doubt {
             | Self::Incomplete { .. }
             | Self::UnprovenCamera
             | Self::DetectionsBeside { .. }
+            | Self::HeightOnly { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,
         }
@@ -445,6 +451,27 @@ impl Doubt {
                 | Self::SeveralHeights { .. }
                 | Self::OffShape { .. }
         )
+    }
+
+    /// Whether the contacts lie on another shape than the believed one.
+    pub(super) fn is_other_shape(&self) -> bool {
+        matches!(
+            self,
+            Self::Curved { .. }
+                | Self::CurvedAlong { .. }
+                | Self::DoublyCurved { .. }
+                | Self::NotPlanar { .. }
+                | Self::OffShape { .. }
+        )
+    }
+
+    /// Least radius of the shape on which the contacts lie \[m\], if it is known.
+    pub(super) fn least_radius(&self) -> Option<f64> {
+        match self {
+            Self::Curved { radius, .. } | Self::CurvedAlong { radius, .. } => Some(*radius),
+            Self::DoublyCurved { radii, .. } => Some(radii[0].abs().min(radii[1].abs())),
+            _ => None,
+        }
     }
 
     /// Whether the tool may have wiped more than the log shows: it begins or ends while the tool presses, or has no usable

@@ -84,6 +84,7 @@ impl fmt::Display for Doubt {
                 farthest,
             } => write_beside(f, left_out, of, farthest),
             Self::FastTurns { turn, .. } => write_fast_turns(f, turn),
+            Self::HeightOnly { height } => write_height_only(f, height),
             Self::PositionsContradictPose { distance, angle } => {
                 write_elsewhere(f, distance, angle)
             }
@@ -566,6 +567,16 @@ fn write_fast_turns(f: &mut fmt::Formatter<'_>, turn: f64) -> fmt::Result {
         f,
         "in contact the tool turns by about {:.0}° between two samples: the log does not show whether it turns faster, as more than half a turn looks like less in the other direction; record the pose at a higher rate",
         turn.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::HeightOnly`].
+fn write_height_only(f: &mut fmt::Formatter<'_>, height: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on no common plane, so that only their median height, {:.1} mm {} the believed surface, is used for its pose, and no tilt",
+        1e3 * height.abs(),
+        if height < 0.0 { "below" } else { "above" }
     )
 }
 
