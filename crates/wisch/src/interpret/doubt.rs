@@ -303,6 +303,13 @@ pub enum Doubt {
         /// Largest distance of a detection from the surface's edge \[m\].
         farthest: f64,
     },
+    /// Detections of a camera repeat another one, and count once.
+    DetectionsRepeated {
+        /// Number of detections that repeat another one.
+        repeated: usize,
+        /// Number of all detections.
+        of: usize,
+    },
     /// For most of the motion, the joint positions give another pose of the tool than the measured
     /// one.
     PositionsContradictPose {
@@ -423,6 +430,7 @@ impl Doubt {
             | Self::Incomplete { .. }
             | Self::UnprovenCamera
             | Self::DetectionsBeside { .. }
+            | Self::DetectionsRepeated { .. }
             | Self::HeightOnly { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,

@@ -85,6 +85,7 @@ impl fmt::Display for Doubt {
             } => write_beside(f, left_out, of, farthest),
             Self::FastTurns { turn, .. } => write_fast_turns(f, turn),
             Self::HeightOnly { height } => write_height_only(f, height),
+            Self::DetectionsRepeated { repeated, of } => write_repeated(f, repeated, of),
             Self::PositionsContradictPose { distance, angle } => {
                 write_elsewhere(f, distance, angle)
             }
@@ -577,6 +578,19 @@ fn write_height_only(f: &mut fmt::Formatter<'_>, height: f64) -> fmt::Result {
         "the contacts lie on no common plane, so that only their median height, {:.1} mm {} the believed surface, is used for its pose, and no tilt",
         1e3 * height.abs(),
         if height < 0.0 { "below" } else { "above" }
+    )
+}
+
+/// Writes [`Doubt::DetectionsRepeated`].
+fn write_repeated(f: &mut fmt::Formatter<'_>, repeated: usize, of: usize) -> fmt::Result {
+    let verbs = if repeated == 1 {
+        "repeats another one, at equal coordinates or closer than chance explains, and is"
+    } else {
+        "repeat other ones, at equal coordinates or closer than chance explains, and are"
+    };
+    write!(
+        f,
+        "{repeated} of {of} detections of the camera {verbs} left out"
     )
 }
 
