@@ -291,6 +291,17 @@ pub enum Doubt {
         /// detects it.
         is_first: bool,
     },
+    /// The places of the detections contradict those of known dirt, as if the frame of the observation were another one.
+    ObservationInOtherFrame {
+        /// Number of known dirt locations that the tool did not touch.
+        untouched: usize,
+        /// Number of them at which the observation shows dirt again.
+        seen_again: usize,
+        /// Number of detections at places where dirt is neither known nor possible after the log.
+        unknown: usize,
+        /// Number of all detections.
+        of: usize,
+    },
     /// The first observation shows no dirt, and contact forces do not decide: the camera may detect
     /// no dirt at all.
     UnprovenCamera,
@@ -432,6 +443,7 @@ impl Doubt {
             | Self::DetectionsBeside { .. }
             | Self::DetectionsRepeated { .. }
             | Self::HeightOnly { .. }
+            | Self::ObservationInOtherFrame { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,
         }

@@ -55,7 +55,7 @@ const ANYWHERE: f64 = 0.05;
 /// Steps of the fixed-point iteration to the amount of dirt that lies where no member has any.
 const ANYWHERE_STEPS: usize = 100;
 /// Largest distance between a particle and its detection, in standard deviations of the sensor [1].
-const MATCHED: f64 = 3.0;
+pub(super) const MATCHED: f64 = 3.0;
 /// Largest number of particles near a detection among which the nearest is searched; further
 /// particles are skipped.
 const MOST_MATCHES: usize = 256;
@@ -266,7 +266,7 @@ impl ObservationUpdate<'_> {
     }
 
     /// Expected number of false alarms. Their share within the goal is the goal's share of the surface, which is small.
-    fn false_alarms(&self) -> f64 {
+    pub(super) fn false_alarms(&self) -> f64 {
         self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area()
     }
 

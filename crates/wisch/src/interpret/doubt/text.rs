@@ -77,6 +77,7 @@ impl fmt::Display for Doubt {
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::ObservationContradicts { .. } => write_contradiction(f, self),
+            Self::ObservationInOtherFrame { .. } => write_other_frame(f, self),
             Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
@@ -591,6 +592,23 @@ fn write_repeated(f: &mut fmt::Formatter<'_>, repeated: usize, of: usize) -> fmt
     write!(
         f,
         "{repeated} of {of} detections of the camera {verbs} left out"
+    )
+}
+
+/// Writes [`Doubt::ObservationInOtherFrame`].
+fn write_other_frame(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result {
+    let Doubt::ObservationInOtherFrame {
+        untouched,
+        seen_again,
+        unknown,
+        of,
+    } = doubt
+    else {
+        return Ok(());
+    };
+    write!(
+        f,
+        "the observation shows {seen_again} of the {untouched} known dirt locations that the tool did not touch, and {unknown} of its {of} detections lie where no dirt is possible: check the frame of the observation, its origin and the directions of x and y"
     )
 }
 
