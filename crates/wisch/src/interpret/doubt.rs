@@ -277,6 +277,9 @@ pub enum Doubt {
         seen: usize,
         /// Range of the numbers of detections that touch predicts, from the 5th to the 95th percentile.
         left: [f64; 2],
+        /// Share of the detections within the goal, and its predicted range from the 5th to the 95th percentile \[1\], if only
+        /// this share differs, and not the number of detections.
+        shares: Option<[f64; 3]>,
         /// Range of the number of detections if the tool had removed nothing, from the 5th to the
         /// 95th percentile.
         believed: [f64; 2],

@@ -9,8 +9,8 @@ use wisch::interpret::{
 };
 use wisch::recover::is_claimable;
 use wisch::represent::{
-    Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel, Sight,
-    Task,
+    Action, Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel,
+    Sight, Task,
 };
 
 /// A camera that detects every grain at its exact position, without false alarms.
@@ -765,4 +765,32 @@ fn an_observation_in_another_frame_is_noticed_and_noise_is_none() {
     let seen = anywhere.observe(&update(&task, &goal, &seen));
     assert!(doubt(&seen, moved(|p| -p)).is_some());
     assert_eq!(doubt(&seen, left.clone()), None);
+}
+
+/// The number of detections is as expected, but all of them lie in the goal area.
+#[test]
+fn a_share_within_the_goal_that_differs_is_named() {
+    let mut task = task(60, STEEP);
+    task.action = Action::Collect;
+    task.collect_goal = Some(Point2::new(0.1, 0.0));
+    let goal = task.goal().unwrap();
+    let config = InterpretConfig::from_task(&task);
+    let known = Belief::from_particles(task.particles.clone());
+    let samples = Script::default().samples(&task);
+    let mut felt = interpret(&samples, &task, &known, &goal, &config).unwrap();
+    let seen = Observation {
+        detections: (0..58)
+            .map(|i| Point2::new(0.08 + 7e-4 * f64::from(i), 0.01))
+            .collect(),
+        hidden: Region::default(),
+    };
+    felt.observe(&ObservationUpdate {
+        sight: camera(0.98),
+        ..update(&task, &goal, &seen)
+    });
+    let text: Vec<String> = felt.doubts.iter().map(ToString::to_string).collect();
+    assert!(
+        text.iter().any(|text| text.starts_with("of the 58 dirt locations that the observation shows, 100 % lie within the goal, but after the log ")),
+        "{text:?}"
+    );
 }

@@ -537,11 +537,19 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
         believed: [fewest, all],
         is_more_than_before,
         hidden_share,
+        shares,
         ..
     } = doubt
     else {
         return Ok(());
     };
+    if let Some(shares) = shares {
+        let [found, low, high] = shares.map(|share| 100.0 * share);
+        return write!(
+            f,
+            "of the {seen} dirt locations that the observation shows, {found:.0} % lie within the goal, but after the log {low:.0} % to {high:.0} % were expected: the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
+        );
+    }
     let advice = if (*seen as f64) < *least {
         "the observation may be incomplete, or the tool wiped more than the log shows"
     } else if *is_more_than_before {
@@ -549,6 +557,12 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
     } else {
         "the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
     };
+    if (*least..=*most).contains(&(*seen as f64)) {
+        return write!(
+            f,
+            "the observation shows {seen} dirt locations, within the {least:.0} to {most:.0} that were expected after the log, but hardly any explanation of the log gives this number: {advice}"
+        );
+    }
     write!(
         f,
         "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
