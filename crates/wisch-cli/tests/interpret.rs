@@ -437,6 +437,35 @@ fn an_observation_of_dirt_is_refused_where_there_is_none() {
     }
 }
 
+/// Detections at the edge of the board, repeated ones, and those on the table around it.
+#[test]
+fn a_list_of_dirt_is_read_as_the_detections_of_an_executor() {
+    let folder = folder(believed());
+    let observe = |rows: &str, name: &str| {
+        fs::write(folder.path().join(name), rows).unwrap();
+        let (code, record) = interpreted(folder.path(), "log.mcap", &["--observation", name]);
+        assert!(code < 2, "{record}");
+        (record["estimated"].clone(), record.to_string())
+    };
+    let (one, _) = observe("-0.1812,0.1207\n", "one.csv");
+    let (at_edge, shown) = observe("-0.1812,0.1415\n", "edge.csv");
+    let off = at_edge.as_f64().unwrap() - one.as_f64().unwrap();
+    assert!(off.abs() < 0.05 && !shown.contains("left out"), "{shown}");
+    let (twice, shown) = observe("-0.1812,0.1207\n-0.1812,0.1207\n", "twice.csv");
+    let remark = "1 of 2 detections of the camera repeats another one";
+    assert!(twice == one && shown.contains(remark), "{shown}");
+    let (around, shown) = observe("-0.1812,0.1207\n0.0,0.25\n", "around.csv");
+    let remark =
+        "1 of 2 detections of the camera is beside the surface, up to 0.110 m from its edge";
+    assert!(around == one && shown.contains(remark), "{shown}");
+    fs::remove_dir_all(folder.path().join("out")).unwrap();
+    fs::write(folder.path().join("off.csv"), "0.0,0.25\n").unwrap();
+    let shown = refused(folder.path(), "log.mcap", &["--observation", "off.csv"]);
+    for part in ["--observation: off.csv: 1 of 1 detections", "unit or frame"] {
+        assert!(shown.contains(part), "{part} in {shown}");
+    }
+}
+
 /// A plate to be polished twice, at most three times.
 const PLATE: &str = r#"
 schema = 1

@@ -146,7 +146,7 @@ impl LoadedTask {
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
         let seen = match &self.file.particles {
-            _ if is_list => read_observed_list(&shown, &bytes, area),
+            _ if is_list => read_observed_list(&shown, &bytes),
             ParticleSource::Image(mask) => {
                 let before = self.files.get(&mask.file).unwrap_or_default();
                 read_observed_image(mask, before, &shown, &bytes, area, self.task.seed)

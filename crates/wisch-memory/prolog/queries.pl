@@ -273,8 +273,8 @@ localization_change(Surface, Time, Before, After) :-
     same_time(Before, B),
     same_time(After, A).
 
-% drift_cause(-Surface, -Change, -Cause): distance of the estimated surface from its first estimate [m], and the cause:
-% a softer tool is compressed by force over stiffness.
+% drift_cause(-Surface, -Change, -Cause): change of the estimated surface from the first to the last episode [m], and the
+% cause: a softer tool is compressed by force over stiffness.
 drift_cause(Surface, Change, Cause) :- all_times(From, To), drift_cause_within(From, To, Surface, Change, Cause).
 
 drift_cause_within(From, To, Surface, Change, Cause) :-

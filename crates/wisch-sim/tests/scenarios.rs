@@ -1,6 +1,8 @@
 //! Shipped scenarios, executed: estimates by touch against the ground truth.
 
+use std::fs;
 use std::ops::ControlFlow;
+use std::path::Path;
 use wisch::interpret::EventKind;
 use wisch::recover::Verdict;
 use wisch::run::{Ending, Round, RunConfig, Session, StrokeEnd};

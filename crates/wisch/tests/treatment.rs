@@ -1,8 +1,9 @@
 //! Polishing and painting: passes over places against closed forms, lanes, and their goals; and tools that hover.
 
+use nalgebra::UnitQuaternion;
 use wisch::geometry::{PlanarPose, Point2, Polygon, Pose, Region, Vector2, Vector3};
 use wisch::interpret::{
-    Belief, Diagnosis, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
+    Belief, Diagnosis, Doubt, InterpretConfig, Interpretation, TouchSample, Uncertainty, interpret,
 };
 use wisch::plan::{
     CoverageStrategy, Plan, PlanConfig, Planner, Strategy, check_strokes, plan, predict,
@@ -69,7 +70,7 @@ fn a_pass_is_the_way_of_the_tool_over_a_place_over_its_length() {
 
 #[test]
 fn splitting_a_motion_changes_no_passes() {
-    for turn in [0.0, 0.8, -2.5] {
+    for turn in [0.0, 0.8, -2.5, 9.0] {
         let [from, to] = [pose(-0.1, 0.02, 0.2), pose(0.12, -0.03, 0.2 + turn)];
         let at = |i: usize| {
             let share = i as f64 / 64.0;
@@ -84,10 +85,40 @@ fn splitting_a_motion_changes_no_passes() {
             let whole = passes(&pad(), place, &[motion(from, to)]);
             let parts = passes(&pad(), place, &split);
             assert!(
-                (whole - parts).abs() < 1e-5,
+                (whole - parts).abs() < 1e-9,
                 "{turn} {place}: {whole} {parts}"
             );
         }
+    }
+}
+
+/// The passes of a pad that spins while it travels, against the sum over small steps.
+#[test]
+fn a_spinning_pad_passes_as_far_as_it_slides_under_it() {
+    let [from, to] = [pose(-0.02, 0.01, 0.3), pose(0.03, -0.01, 0.3 + 4.0)];
+    let steps = 200_000;
+    for place in [
+        [0.0, 0.0],
+        [0.04, 0.03],
+        [-0.05, 0.02],
+        [0.03, -0.055],
+        [0.08, 0.0],
+    ] {
+        let place = Point2::from(place);
+        let in_tool = |i: usize| {
+            let share = i as f64 / steps as f64;
+            let (sin, cos) = (from.heading + 4.0 * share).sin_cos();
+            let d = place - (from.position + (to.position - from.position) * share);
+            Point2::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x)
+        };
+        // The tool's velocity at the place: how far the place moves in the tool's frame.
+        let slid: f64 = (0..steps)
+            .map(|i| (in_tool(i), in_tool(i + 1)))
+            .filter(|(at, _)| at.x.abs() < TOOL[0] / 2.0 && at.y.abs() < TOOL[1] / 2.0)
+            .map(|(at, next)| (next - at).norm())
+            .sum();
+        let found = passes(&pad(), place, &[motion(from, to)]);
+        assert!((found - slid / TOOL[0]).abs() < 1e-4, "{place}: {found}");
     }
 }
 
@@ -365,6 +396,62 @@ fn stroke(task: &Task, height: f64, force: f64) -> Vec<TouchSample> {
         )
     };
     (0..4000).map(sample).collect()
+}
+
+/// A stroke at 10 cm/s along x over the surface with 10 N, at 100 Hz, of a tool that spins at this rate [rad/s].
+fn spinning_stroke(task: &Task, rate: f64) -> Vec<TouchSample> {
+    let world_from_surface = task.surface.world_from_surface;
+    let sample = |i: u32| {
+        let time = f64::from(i) * 1e-2;
+        let lift = (0.5 - time).max(time - 2.5).max(0.0);
+        let turn = UnitQuaternion::from_euler_angles(0.0, 0.0, rate * time);
+        let force = if lift > 0.0 { 0.0 } else { 10.0 };
+        TouchSample::new(
+            time,
+            world_from_surface * Pose::translation(0.1 * time - 0.15, 0.0, 0.1 * lift) * turn,
+            world_from_surface * Vector3::new(0.0, 0.0, force),
+        )
+    };
+    (0..=300).map(sample).collect()
+}
+
+/// The turn between two samples counts; beyond half a turn the log does not show it.
+#[test]
+fn a_pad_that_spins_faster_than_the_samples_show_leaves_the_passes_unknown() {
+    let task = polish(1, [0.32, 0.04]);
+    let is_fast = |found: &Interpretation| {
+        (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::FastTurns { .. }))
+    };
+    for rate in [0.0, -40.0] {
+        let found = read(&task, &spinning_stroke(&task, rate), Uncertainty::NONE);
+        assert!(
+            !is_fast(&found) && found.is_conclusive(),
+            "{rate}: {:?}",
+            found.doubts
+        );
+    }
+    // 4 rad and 1.7 rad per sample.
+    for rate in [400.0, 170.0] {
+        let found = read(&task, &spinning_stroke(&task, rate), Uncertainty::default());
+        assert!(
+            is_fast(&found) && !found.is_conclusive(),
+            "{rate}: {:?}",
+            found.doubts
+        );
+    }
+    // Absorbed dirt is gone after the first touch, however fast the tool turns.
+    let mut absorb = board(Action::Absorb, [0.0, 0.0, 0.0]);
+    absorb.particles = ParticleDistribution::new(&[Point2::new(0.0, 0.0)]).unwrap();
+    let found = read(
+        &absorb,
+        &spinning_stroke(&absorb, 400.0),
+        Uncertainty::default(),
+    );
+    assert!(
+        is_fast(&found) && found.is_conclusive(),
+        "{:?}",
+        found.doubts
+    );
 }
 
 fn estimated(task: &Task, samples: &[TouchSample]) -> (Diagnosis, f64) {

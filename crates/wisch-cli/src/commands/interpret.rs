@@ -135,6 +135,7 @@ pub(super) fn interpret_read(
     let mut interpretation = interpret_samples(source, prepared, (&log, &believed), &goal)?;
     if let Some(seen) = &seen {
         interpretation.observe(&update(&seen.after, &goal));
+        (seen.doubts.iter()).for_each(|doubt| interpretation.add_doubt(*doubt));
     }
     let mut remarks = remarks(&log, prepared, &interpretation);
     match seen {

@@ -5,7 +5,9 @@ use super::words::counted;
 use crate::args::LoggedArgs;
 use crate::failure::Failure;
 use std::path::Path;
+use wisch::interpret::Doubt;
 use wisch::represent::{GoalState, Observation};
+use wisch::run::{RunError, check_detections};
 use wisch_io::LoadedTask;
 use wisch_telemetry::{Log, LogOptions, is_bag, read};
 
@@ -17,9 +19,12 @@ pub(super) struct LogObservations {
     pub after: Observation,
     /// Sentence that states the observations and their source.
     pub remark: String,
+    /// Remarks on detections that are not used.
+    pub doubts: Vec<Doubt>,
 }
 
-/// Reads the observation of `--observation`. A bag, such as the log itself, may also hold an observation before the round.
+/// Reads the observation of `--observation`, without the detections that lie beside the surface or repeat another one. A bag,
+/// such as the log itself, may also hold an observation before the round.
 pub(super) fn observation_in(
     file: &Path,
     source: &LoggedArgs,
@@ -34,14 +39,27 @@ pub(super) fn observation_in(
         );
         return Err(Failure::new(problem).with_help("omit --observation"));
     }
+    let error = |error: RunError| {
+        Failure::new(error.to_string())
+            .within(file)
+            .after("--observation")
+    };
+    let sensor = prepared.file.camera.unwrap_or_default();
+    let check = |seen: Observation, is_first: bool| {
+        let surface = &prepared.task.surface;
+        check_detections(seen, surface, sensor.position_error_m, is_first).map_err(error)
+    };
     let is_log = is_same_file(file, &source.log);
     if !is_log && !is_bag(file).unwrap_or(false) {
         let after = prepared.observation(file)?;
         let detections = counted(after.detections.len(), "detection");
+        let remark = format!("after the log: {detections} of dirt in {}", file.display());
+        let (after, doubts) = check(after, true)?;
         return Ok(LogObservations {
             before: None,
             after,
-            remark: format!("after the log: {detections} of dirt in {}", file.display()),
+            remark,
+            doubts,
         });
     }
     let other;
@@ -82,10 +100,16 @@ pub(super) fn observation_in(
         detections(&after),
         file.display()
     );
+    let before = before.map(|before| check(before, true)).transpose()?;
+    let (before, mut doubts) =
+        before.map_or((None, Vec::new()), |(seen, doubts)| (Some(seen), doubts));
+    let (after, left_out) = check(after, before.is_none())?;
+    doubts.extend(left_out);
     Ok(LogObservations {
         before,
         after,
         remark,
+        doubts,
     })
 }
 

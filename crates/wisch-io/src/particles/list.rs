@@ -55,16 +55,13 @@ pub fn csv_particles(
 }
 
 /// Reads an observation in the format of [`csv_particles`]; its detections are the particles on the surface. A header
-/// without rows means that no dirt was detected.
+/// without rows means that no dirt was detected. Detections may lie beside the surface, see
+/// [`check_detections`](wisch::run::check_detections).
 ///
 /// # Errors
-/// Those of [`csv_particles`], except for an empty list.
-pub fn read_observed_list(
-    file: &str,
-    text: &[u8],
-    area: DirtArea<'_>,
-) -> Result<Observation, ParticleSourceError> {
-    match csv_particles(file, text, area) {
+/// If a line is invalid, or the text has neither a row nor a header. The error states `file` and line.
+pub fn read_observed_list(file: &str, text: &[u8]) -> Result<Observation, ParticleSourceError> {
+    match particles_from_csv(file, text) {
         Ok(particles) => Ok(Observation {
             detections: particles.remaining().collect(),
             ..Observation::default()

@@ -439,12 +439,13 @@ fn a_later_photo_has_as_many_detections_as_its_dirt_covers_pixels() {
 
 #[test]
 fn a_list_of_what_is_seen_may_be_empty() {
-    let (board, bare) = (board(), bare());
-    let seen = |text: &str| read_observed_list("after.csv", text.as_bytes(), on(&board, &bare));
+    let seen = |text: &str| read_observed_list("after.csv", text.as_bytes());
     let places = seen("x,y\n0.1,-0.05\n").expect("a place").detections;
     assert_eq!(places, [Point2::new(0.1, -0.05)]);
     assert_eq!(seen("x,y\n").expect("nothing").detections, []);
-    assert!(seen("x,y\n0.3,0\n").is_err());
+    // A camera may place dirt at the edge beside the surface.
+    assert_eq!(seen("x,y\n0.3,0\n").expect("a place").detections.len(), 1);
+    assert!(seen("x,y\n300,0\n").is_err());
     for blank in ["", "\n\n", "# nothing\n"] {
         let error = seen(blank).unwrap_err().to_string();
         assert!(error.contains("neither a row nor a header"), "{error}");

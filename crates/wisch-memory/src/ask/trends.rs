@@ -5,12 +5,17 @@ use super::rows::node_name;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 use crate::health::{
-    ChannelState, HealthChannel, RobustLine, assess_groups, find_cause, find_changes, gather_groups,
+    ChannelState, HealthChannel, RobustLine, assess_groups, find_cause, find_changes,
+    gather_groups, median,
 };
 use std::collections::{BTreeMap, HashMap};
 
 /// Least number of episodes for a line.
 const FEWEST: usize = 5;
+/// Episodes at either end of a series from whose median its first and last value follow: one outlier is ignored.
+const NEWEST: usize = 3;
+/// Probability up to which chance does not explain a slope [1].
+const MAX_P_VALUE: f64 = 0.05;
 
 /// Returns the quantity whose trend a query calls by this name.
 pub fn channel_of(name: &str) -> Option<HealthChannel> {
@@ -164,7 +169,23 @@ pub fn changes(catalogue: &Catalogue, channel: HealthChannel, within: [f64; 2]) 
     found
 }
 
-/// Returns `s(Change, Cause)` for each surface whose localisation error changed: the change [m] and its cause.
+/// Returns the value at the last place of a series, the median of the newest episodes, moved to the last one by the robust
+/// slope since the last sudden change, unless chance explains it. A lasting change counts as soon as most of these episodes show it.
+fn end_of(channel: HealthChannel, values: &[f64]) -> f64 {
+    let since = changes_of(channel, values).last().copied().unwrap_or(0);
+    let latest = &values[since..];
+    let newest = &latest[latest.len().saturating_sub(NEWEST)..];
+    let line = RobustLine::fit(latest, channel.resolution());
+    let slope = if line.p <= MAX_P_VALUE {
+        line.slope
+    } else {
+        0.0
+    };
+    median(&mut newest.to_vec()) + slope * 0.5 * newest.len().saturating_sub(1) as f64
+}
+
+/// Returns `s(Name, Change, Cause)` for each surface whose localisation error changed: the change from the first to the
+/// last episode [m], see [`end_of`], and its cause.
 pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
     let number = |property: &str, round| {
         let value = entries(catalogue.numbers(property), round).first();
@@ -177,7 +198,14 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
             let channels = [HealthChannel::ContactForce, HealthChannel::Stiffness];
             channels.map(|channel| number(channel.property(), point.round))
         });
-        let (moved, cause) = find_cause(&offsets, &touches.collect::<Vec<_>>(), None)?;
+        let (by_means, cause) = find_cause(&offsets, &touches.collect::<Vec<_>>(), None)?;
+        let reversed: Vec<f64> = offsets.iter().rev().copied().collect();
+        let [first, last] = [&reversed, &offsets].map(|way| end_of(HealthChannel::Offset, way));
+        let moved = last - first;
+        // A surface that moved and came back has no change from the first episode to the last.
+        if moved * by_means <= 0.0 {
+            return None;
+        }
         let parts = [
             Term::Atom(name),
             Term::Float(moved),

@@ -4,7 +4,7 @@
 pub(super) const DEVIATION_OF_MEDIAN: f64 = 1.4826;
 
 /// Returns the median, for an even number the mean of the two middle values; 0 for no values. Reorders the values.
-pub(super) fn median(values: &mut [f64]) -> f64 {
+pub(crate) fn median(values: &mut [f64]) -> f64 {
     let count = values.len();
     if count == 0 {
         return 0.0;

@@ -33,4 +33,5 @@ pub use words::{ChannelWords, DescribedHealth, GroupWords, HealthWords, TrendWor
 
 pub(crate) use cause::find_cause;
 pub(crate) use change::find_changes;
+pub(crate) use median::median;
 pub(crate) use slope::RobustLine;

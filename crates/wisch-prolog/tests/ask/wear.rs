@@ -153,6 +153,31 @@ fn a_tool_that_grows_softer_is_worn_and_the_table_stands_where_it_stood() {
 }
 
 #[test]
+fn the_change_of_a_surface_is_that_from_the_first_episode_to_the_last() {
+    let change = "drift_cause(S, _C, _), A is round(10_000 * _C)";
+    // 0.6 mm a day over 14 days; 12 mm in the last three of 12 runs; a single outlier at the end of a drift.
+    let jump = |day| if day < 9 { 0.0 } else { 0.012 };
+    let outlier = |day| {
+        if day == 13 {
+            0.004
+        } else {
+            -6e-4 * f64::from(day)
+        }
+    };
+    for (offsets, expected) in [
+        ((0..14).map(|day| -6e-4 * f64::from(day)).collect(), -78),
+        ((0..12).map(jump).collect::<Vec<f64>>(), 120),
+        ((0..14).map(outlier).collect(), -72),
+    ] {
+        let catalogue = episodes(offsets.into_iter().map(|offset| (offset, Some(2000.0))));
+        check(
+            &catalogue,
+            &[(change, &[&format!("semco:table {expected}")])],
+        );
+    }
+}
+
+#[test]
 fn without_the_stiffness_nobody_knows_which_it_was() {
     let catalogue = episodes((0..10).map(|day| (-1e-3 * f64::from(day), None)));
     check(

@@ -244,6 +244,19 @@ pub enum Doubt {
         /// Largest angle that is searched \[rad\].
         searched: f64,
     },
+    /// The contacts lie on another shape than a plane, so that only their height is used for the pose of the surface.
+    HeightOnly {
+        /// Median height of the contacts over the believed surface \[m\].
+        height: f64,
+    },
+    /// In contact, the tool turns by more than a quarter turn between two samples: a faster turn looks like a slower one in
+    /// the other direction.
+    FastTurns {
+        /// Median angle between two samples, as the log shows it \[rad\].
+        turn: f64,
+        /// Whether the effect of the tool depends on its turns, as in polishing.
+        counts: bool,
+    },
     /// In contact, the z axis of the tool's frame leans away from the normal of the surface.
     ToolLeans {
         /// Median angle between the two lines, from 0 to π/2 \[rad\].
@@ -264,6 +277,9 @@ pub enum Doubt {
         seen: usize,
         /// Range of the numbers of detections that touch predicts, from the 5th to the 95th percentile.
         left: [f64; 2],
+        /// Share of the detections within the goal, and its predicted range from the 5th to the 95th percentile \[1\], if only
+        /// this share differs, and not the number of detections.
+        shares: Option<[f64; 3]>,
         /// Range of the number of detections if the tool had removed nothing, from the 5th to the
         /// 95th percentile.
         believed: [f64; 2],
@@ -278,6 +294,17 @@ pub enum Doubt {
         /// detects it.
         is_first: bool,
     },
+    /// The places of the detections contradict those of known dirt, as if the frame of the observation were another one.
+    ObservationInOtherFrame {
+        /// Number of known dirt locations that the tool did not touch.
+        untouched: usize,
+        /// Number of them at which the observation shows dirt again.
+        seen_again: usize,
+        /// Number of detections at places where dirt is neither known nor possible after the log.
+        unknown: usize,
+        /// Number of all detections.
+        of: usize,
+    },
     /// The first observation shows no dirt, and contact forces do not decide: the camera may detect
     /// no dirt at all.
     UnprovenCamera,
@@ -289,6 +316,13 @@ pub enum Doubt {
         of: usize,
         /// Largest distance of a detection from the surface's edge \[m\].
         farthest: f64,
+    },
+    /// Detections of a camera repeat another one, and count once.
+    DetectionsRepeated {
+        /// Number of detections that repeat another one.
+        repeated: usize,
+        /// Number of all detections.
+        of: usize,
     },
     /// For most of the motion, the joint positions give another pose of the tool than the measured
     /// one.
@@ -369,6 +403,7 @@ impl Doubt {
             Self::PoseJumps { share, lasting, .. } => *lasting > 0 || *share > MOST_JUMPS,
             Self::BiasChange { share, .. } => *share > MOST_BIAS_CHANGE,
             Self::HeldPoses { period } => *period > LONGEST_PERIOD,
+            Self::FastTurns { counts, .. } => *counts,
             Self::ToolLeans { beyond, .. } => *beyond > MOST_LEAN,
             Self::PositionsContradictPose { distance, angle } => {
                 *distance > MOST_CONTRADICTION[0] || *angle > MOST_CONTRADICTION[1]
@@ -409,6 +444,9 @@ impl Doubt {
             | Self::Incomplete { .. }
             | Self::UnprovenCamera
             | Self::DetectionsBeside { .. }
+            | Self::DetectionsRepeated { .. }
+            | Self::HeightOnly { .. }
+            | Self::ObservationInOtherFrame { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,
         }
@@ -436,6 +474,27 @@ impl Doubt {
                 | Self::SeveralHeights { .. }
                 | Self::OffShape { .. }
         )
+    }
+
+    /// Whether the contacts lie on another shape than the believed one.
+    pub(super) fn is_other_shape(&self) -> bool {
+        matches!(
+            self,
+            Self::Curved { .. }
+                | Self::CurvedAlong { .. }
+                | Self::DoublyCurved { .. }
+                | Self::NotPlanar { .. }
+                | Self::OffShape { .. }
+        )
+    }
+
+    /// Least radius of the shape on which the contacts lie \[m\], if it is known.
+    pub(super) fn least_radius(&self) -> Option<f64> {
+        match self {
+            Self::Curved { radius, .. } | Self::CurvedAlong { radius, .. } => Some(*radius),
+            Self::DoublyCurved { radii, .. } => Some(radii[0].abs().min(radii[1].abs())),
+            _ => None,
+        }
     }
 
     /// Whether the tool may have wiped more than the log shows: it begins or ends while the tool presses, or has no usable

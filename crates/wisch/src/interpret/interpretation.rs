@@ -117,6 +117,7 @@ impl Interpretation {
     pub fn observe(&mut self, update: &ObservationUpdate<'_>) {
         let was_felt = self.diagnosis != Diagnosis::NoContact;
         let contradiction = update.find_contradiction(&self.belief, was_felt);
+        let misplaced = update.find_other_frame(&self.belief);
         let is_proven = self.belief.was_seen || update.shows_dirt();
         let is_unproven = !is_proven && !self.belief.is_certain() && !self.is_conclusive();
         self.belief = self.belief.observe(update);
@@ -137,6 +138,7 @@ impl Interpretation {
             }
             self.doubts.push(doubt);
         }
+        self.doubts.extend(misplaced);
         if is_unproven {
             self.distribution = self
                 .distribution

@@ -11,10 +11,11 @@ use super::contact::{
 use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
+use super::fast_turns::find_fast_turns;
 use super::interpretation::{Diagnosis, Interpretation};
 use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
 use super::wrench_quality::UnusableWrenches;
-use crate::geometry::{PlanarPose, Point2, Pose, Region, Vector3};
+use crate::geometry::{PlanarPose, Point2, Point3, Pose, Region, Vector3};
 use crate::represent::{
     DirtSlide, Effect, FilmFlow, GoalState, ParticleDistribution, ParticleError, Surface, Task,
 };
@@ -199,6 +200,8 @@ impl Interpreter {
                 *matters = replay.difference_by_scale(&belief, goal);
             }
         }
+        let turning = find_fast_turns(&analysis.classified.path, goal.action().treats());
+        analysis.doubts.extend(turning);
         if analysis.doubts.iter().any(is_misreading) {
             // Absorbed dirt and dirt off the surface do not return, even if the log does not show
             // all contacts.
@@ -211,16 +214,26 @@ impl Interpreter {
             let share = self.config.uncertainty.misread_share;
             distribution = distribution.or_unknown(share, least);
         }
+        let shift = self.shift_without_plane(&analysis);
         let LogAnalysis {
             classified,
             believed_from_real,
             events,
             contact_share,
-            doubts,
+            mut doubts,
             ..
         } = analysis;
+        if let Some(plane) = &shift {
+            let height = plane.offset;
+            doubts.push(Doubt::HeightOnly { height });
+        }
+        let diagnosis = match &shift {
+            Some(plane) => self.diagnose_shift(plane),
+            None => self.diagnosis(&classified, &believed_from_real),
+        };
+        let plane = shift.or(classified.plane.map(|(_, described)| described));
         Ok(Interpretation {
-            diagnosis: self.diagnosis(&classified, &believed_from_real),
+            diagnosis,
             events,
             contact_share,
             doubts,
@@ -236,7 +249,7 @@ impl Interpreter {
             observation: None,
             distribution,
             belief,
-            plane: classified.plane.map(|(_, described)| described),
+            plane,
             registration: classified.registration,
             residuals: classified.residuals,
             path: classified.path,
@@ -571,6 +584,59 @@ impl Interpreter {
         let chart_from_middle = Pose::translation(middle.x, middle.y, 0.0);
         let moved = chart_from_middle.inverse() * believed_from_real * chart_from_middle;
         surface_from_middle * moved * surface_from_middle.inverse()
+    }
+
+    /// Returns the believed plane at the median height of the contacts, if they lie on another shape, and most of them lie
+    /// on no plane or the bend explains the tilt. The plane through some of them then says nothing about the pose of the
+    /// surface.
+    fn shift_without_plane(&self, analysis: &LogAnalysis) -> Option<FittedPlane> {
+        let (fit, plane) = analysis.classified.plane.as_ref()?;
+        let shape = analysis
+            .doubts
+            .iter()
+            .find(|doubt| doubt.is_other_shape())?;
+        let is_scattered =
+            (analysis.doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }));
+        let middle = middle(&self.surface);
+        let corners = self.surface.outline.outer().iter();
+        let reach = corners
+            .map(|corner| (corner - middle).norm())
+            .fold(0.0, f64::max);
+        // At a distance s from the middle, a surface of radius R has the slope s / R.
+        let is_by_bend = shape
+            .least_radius()
+            .is_some_and(|radius| plane.tilt * radius <= reach);
+        if !is_scattered && !is_by_bend {
+            return None;
+        }
+        let heights = (analysis.classified.path.iter())
+            .filter(|piece| piece.normalized_force >= self.config.confident_share)
+            .map(|piece| {
+                (
+                    fit.height_at(piece.position.coords.xy()) + piece.height,
+                    1.0,
+                )
+            })
+            .filter(|(height, _)| height.abs() <= self.config.search_height_m);
+        let offset = median(heights.collect());
+        Some(FittedPlane {
+            point: Point3::new(plane.point.x, plane.point.y, offset),
+            normal: Vector3::z(),
+            tilt: 0.0,
+            offset,
+            ..*plane
+        })
+    }
+
+    /// Returns the diagnosis for a surface of which only the height is known.
+    fn diagnose_shift(&self, plane: &FittedPlane) -> Diagnosis {
+        if plane.offset.abs() < self.config.relocalize_offset_m {
+            return Diagnosis::Localized;
+        }
+        let shift = self.unroll(&Pose::translation(0.0, 0.0, plane.offset));
+        Diagnosis::Relocalize {
+            world_from_surface: self.surface.world_from_surface * shift,
+        }
     }
 
     fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {

@@ -12,6 +12,7 @@ mod contact;
 mod doubt;
 mod error;
 mod events;
+mod fast_turns;
 mod interpretation;
 mod interpreter;
 mod log_evidence;

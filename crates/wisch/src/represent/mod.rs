@@ -14,6 +14,7 @@ mod motion;
 mod observation;
 mod occupied_area;
 mod particles;
+mod repeated;
 mod scene;
 mod shape;
 mod sliding;

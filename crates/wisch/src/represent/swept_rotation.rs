@@ -14,9 +14,10 @@ use crate::geometry::{Bounds2, Edge, Point2, Vector2, encloses};
 const STRAIGHT: f64 = 1e-12;
 /// Shortest part of the motion that is examined for an entry, as a share of the motion [1].
 const SHORTEST: f64 = 1e-13;
-/// Shortest part of the motion that is examined for sliding, as a share of the motion [1]; it counts as its middle
-/// does.
-const SHORTEST_SLIDE: f64 = 1e-7;
+/// Deviation from the chord below which a curve near an edge counts as straight, where a treating tool slides [m].
+const TOUCHES: f64 = 1e-9;
+/// Largest number of steps towards a crossing of an edge; Newton's method needs about four.
+const MAX_BRACKETED: usize = 64;
 /// Largest number of Newton steps towards an entry; they start within a fraction of a millimetre of
 /// it.
 const MAX_REFINEMENTS: usize = 8;
@@ -107,22 +108,99 @@ impl<'a> SweptRotation<'a> {
         let arm = particle - self.motion.from.position;
         let begin = self.travel + Vector2::new(-arm.y, arm.x) * self.turn;
         let change = -Vector2::new(-self.travel.y, self.travel.x) * self.turn;
-        let bend = self.turn.abs() * self.travel.norm();
-        let fastest = begin.norm().max((begin + change).norm()) + bend;
-        let mut slid = 0.0;
-        let mut spans = vec![(0.0, 1.0)];
-        while let Some((from, to)) = spans.pop() {
-            let half = (to - from) / 2.0;
-            let middle = self.in_tool(particle, from + half);
-            let to_boundary = self.edges.iter().map(|edge| edge.distance(middle));
-            let is_split = to_boundary.fold(f64::INFINITY, f64::min) < fastest * half;
-            if is_split && to - from > SHORTEST_SLIDE {
-                spans.extend([(from, from + half), (from + half, to)]);
-            } else if self.covers(middle) {
+        let mut crossings = Vec::new();
+        let chord = Edge {
+            start: self.in_tool(particle, 0.0),
+            end: self.in_tool(particle, 1.0),
+        };
+        self.find_crossings(particle, &chord, [0.0, 1.0], &mut crossings);
+        crossings.sort_unstable_by(f64::total_cmp);
+        let (mut slid, mut from) = (0.0, 0.0);
+        for to in crossings.into_iter().chain([1.0]) {
+            if to > from && self.covers(self.in_tool(particle, from + (to - from) / 2.0)) {
                 slid += arc_length(begin, change, from, to);
             }
+            from = to;
         }
         slid
+    }
+
+    /// Appends the times in [from, to] at which a resting particle crosses an edge; `chord` joins its positions at these
+    /// times, in the tool frame.
+    ///
+    /// The curve's second derivative bounds its deviation from the chord, so that most spans are decided at their ends.
+    /// A span is halved only while an edge near it may be crossed more than once.
+    fn find_crossings(
+        &self,
+        particle: Point2,
+        chord: &Edge,
+        [from, to]: [f64; 2],
+        crossings: &mut Vec<f64>,
+    ) {
+        let deviation = self.deviation(chord, to - from);
+        if self.passes(chord, deviation) {
+            return;
+        }
+        let near = || {
+            let depths = |edge| Some((edge, depths_near(edge, chord, deviation)?));
+            self.edges.iter().filter_map(depths)
+        };
+        // The rate differs from its mean by at most four times the deviation per span.
+        let is_crossed_once =
+            |[at_start, at_end]: [f64; 2]| (at_end - at_start).abs() > 4.0 * deviation;
+        if deviation > TOUCHES && !near().all(|(_, depths)| is_crossed_once(depths)) {
+            let middle = from + (to - from) / 2.0;
+            let (start, end) = (chord.start, chord.end);
+            let between = self.in_tool(particle, middle);
+            let halves = [
+                (start, between, [from, middle]),
+                (between, end, [middle, to]),
+            ];
+            for (start, end, span) in halves {
+                self.find_crossings(particle, &Edge { start, end }, span, crossings);
+            }
+            return;
+        }
+        for (edge, [at_start, at_end]) in near() {
+            if (at_start > 0.0) != (at_end > 0.0) {
+                let guess = from + (to - from) * at_start / (at_start - at_end);
+                crossings.push(self.crossing(particle, edge, [from, to], guess, at_start > 0.0));
+            }
+        }
+    }
+
+    /// Returns when a resting particle crosses the line of an edge, on whose two sides it is at the ends of a span.
+    /// `guess`: first guess of the time; `leaves`: whether it is on the inner side first.
+    fn crossing(
+        &self,
+        particle: Point2,
+        edge: &Edge,
+        [mut from, mut to]: [f64; 2],
+        guess: f64,
+        leaves: bool,
+    ) -> f64 {
+        let inward = -outward(edge);
+        let mut t = guess;
+        for _ in 0..MAX_BRACKETED {
+            let point = self.in_tool(particle, t);
+            let off = inward.dot(&(point - edge.start));
+            if off.abs() < STRAIGHT {
+                break;
+            }
+            *(if (off > 0.0) == leaves {
+                &mut from
+            } else {
+                &mut to
+            }) = t;
+            let rate = -inward.dot(&self.velocity(point, t));
+            let next = t - off / rate;
+            t = if from < next && next < to {
+                next
+            } else {
+                from + (to - from) / 2.0
+            };
+        }
+        t
     }
 
     /// Returns the path along which the tool carries a particle; `None` if it never touches the particle.
@@ -344,11 +422,9 @@ impl<'a> SweptRotation<'a> {
     fn entry(&self, particle: Point2, from: f64, to: f64) -> Option<(f64, Touch<'a>)> {
         let (a, b) = (self.in_tool(particle, from), self.in_tool(particle, to));
         let span = to - from;
-        // Second derivative of the curve: Coriolis and centripetal terms.
-        let radius = a.coords.norm().max(b.coords.norm()) + self.travel.norm() * span;
-        let bend = self.turn.abs() * (2.0 * self.travel.norm() + self.turn.abs() * radius);
-        let deviation = bend * span * span / 8.0;
         let chord = Edge { start: a, end: b };
+        let radius = self.radius(&chord, span);
+        let deviation = self.deviation(&chord, span);
         if self.passes(&chord, deviation) {
             return None;
         }
@@ -411,6 +487,21 @@ impl<'a> SweptRotation<'a> {
             edge,
         };
         (0.0..=1.0).contains(&share).then_some((t, touch))
+    }
+
+    /// Largest distance of a resting particle from the tool centre point in a span of time, at whose ends it is at those
+    /// of the chord [m].
+    fn radius(&self, chord: &Edge, span: f64) -> f64 {
+        let ends = chord.start.coords.norm().max(chord.end.coords.norm());
+        ends + self.travel.norm() * span
+    }
+
+    /// Bound on the distance of a resting particle's curve from its chord over a span of time, in the tool frame [m].
+    fn deviation(&self, chord: &Edge, span: f64) -> f64 {
+        // Second derivative of the curve: Coriolis and centripetal terms.
+        let radius = self.radius(chord, span);
+        let bend = self.turn.abs() * (2.0 * self.travel.norm() + self.turn.abs() * radius);
+        bend * span * span / 8.0
     }
 
     /// Returns the path of a resting particle in the tool frame over a span of time; `radius` is its largest distance
@@ -527,6 +618,22 @@ fn arc_length(begin: Vector2, change: Vector2, from: f64, to: f64) -> f64 {
         (u * speed + slow) / (2.0 * rate)
     };
     primitive(to) - primitive(from)
+}
+
+/// Returns how far the ends of a chord lie inside the line of a boundary edge [m]; `None` if the chord is farther from the
+/// edge than `distance`.
+fn depths_near(edge: &Edge, chord: &Edge, distance: f64) -> Option<[f64; 2]> {
+    let outward = outward(edge);
+    let along = Vector2::new(-outward.y, outward.x);
+    let offsets = [chord.start - edge.start, chord.end - edge.start];
+    let is_apart = |[a, b]: [f64; 2], low: f64, high: f64| {
+        (a < low - distance && b < low - distance) || (a > high + distance && b > high + distance)
+    };
+    let depths = offsets.map(|offset| -outward.dot(&offset));
+    let places = offsets.map(|offset| along.dot(&offset));
+    let length = along.dot(&(edge.end - edge.start));
+    let is_near = length > 0.0 && !is_apart(depths, 0.0, 0.0) && !is_apart(places, 0.0, length);
+    is_near.then_some(depths)
 }
 
 /// Unit normal of a boundary edge that points out of the footprint.

@@ -3,9 +3,9 @@
 //! A [`Session`] is the only item with state in this module. It advances one stage at a time,
 //! reports its progress by [`RunEvent`]s, and accesses the world only through an [`Executor`].
 
-mod beside;
 mod config;
 mod considered;
+mod detections;
 mod error;
 mod event;
 mod execution;
@@ -27,6 +27,7 @@ mod warning_watch;
 
 pub use config::{AfterStop, FALSE_WARNING_RATE, MIN_SCORE, Pace, RobotSetup, RunConfig};
 pub use considered::{CandidateEvaluation, EvaluatedMotion};
+pub use detections::check_detections;
 pub use error::{RunError, check_score};
 pub use event::{Observer, RunEvent, ignore_events};
 pub use execution::{Ending, Execution, Pause, StopCause, StopKind};

@@ -3,7 +3,7 @@
 mod executing;
 mod planning;
 
-use super::beside::keep_on_surface;
+use super::detections::check_detections;
 use super::measured_motion::MeasuredEnd;
 use super::stance::root_pose;
 use super::{
@@ -442,8 +442,8 @@ impl<'a> Session<'a> {
         };
         let error = (self.config.sight).map_or(0.0, |sight| sight.sensor.position_error_m);
         let surface = &self.task.surface;
-        let (observation, beside) = keep_on_surface(observation, surface, error, true)?;
-        self.doubts.extend(beside);
+        let (observation, left_out) = check_detections(observation, surface, error, true)?;
+        self.doubts.extend(left_out);
         let _ = observer(&RunEvent::Observed {
             round: 0,
             observation: &observation,
@@ -632,16 +632,16 @@ impl<'a> Session<'a> {
         let seen = sight.map(|_| executor.observe(&planned.task)).transpose();
         let kept = seen.map_err(RunError::from).and_then(|seen| {
             let error = sight.map_or(0.0, |sight| sight.sensor.position_error_m);
-            let keep = |seen| keep_on_surface(seen, &planned.task.surface, error, false);
+            let keep = |seen| check_detections(seen, &planned.task.surface, error, false);
             seen.flatten().map(keep).transpose()
         });
-        let (seen, beside) = match kept {
-            Ok(Some((seen, beside))) => (Some(seen), beside),
-            Ok(None) => (None, None),
+        let (seen, left_out) = match kept {
+            Ok(Some((seen, doubts))) => (Some(seen), doubts),
+            Ok(None) => (None, Vec::new()),
             // The executed part gets a verdict by contact forces alone, and is kept.
             Err(error) => {
                 self.failure = Some(error);
-                (None, None)
+                (None, Vec::new())
             }
         };
         if let (Some(sight), Some(observation)) = (sight, seen) {
@@ -657,7 +657,7 @@ impl<'a> Session<'a> {
                 seed: planned.task.seed,
             });
         }
-        if let Some(doubt) = beside {
+        for doubt in left_out {
             interpretation.add_doubt(doubt);
         }
         self.state = State::Interpreted(planned, audit, execution, Box::new(interpretation));

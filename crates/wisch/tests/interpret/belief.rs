@@ -9,8 +9,8 @@ use wisch::interpret::{
 };
 use wisch::recover::is_claimable;
 use wisch::represent::{
-    Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel, Sight,
-    Task,
+    Action, Cluster, Fate, GoalState, LogNormal, Observation, ParticleDistribution, SensorModel,
+    Sight, Task,
 };
 
 /// A camera that detects every grain at its exact position, without false alarms.
@@ -687,4 +687,110 @@ fn a_camera_that_contradicts_the_log_leaves_hidden_dirt_unknown() {
     });
     let estimate = felt.performance;
     assert!(!felt.is_conclusive() && estimate.low < 0.15, "{estimate:?}");
+}
+
+/// Three strokes over the right half of a board with known dirt, and an observation after them.
+#[test]
+fn an_observation_in_another_frame_is_noticed_and_noise_is_none() {
+    let task = task(60, STEEP);
+    let goal = GoalState::Absorbed;
+    let config = InterpretConfig::from_task(&task);
+    let upward = |x: f64| [Point2::new(x, -0.09), Point2::new(x, 0.09)];
+    let script = Script {
+        strokes: [0.03, 0.08, 0.13].map(upward).to_vec(),
+        ..Script::default()
+    };
+    let samples = script.samples(&task);
+    let known = Belief::from_particles(task.particles.clone());
+    let doubt = |belief: &Belief, detections: Vec<Point2>| {
+        let seen = Observation {
+            detections,
+            hidden: Region::default(),
+        };
+        let mut felt = interpret(&samples, &task, belief, &goal, &config).unwrap();
+        felt.observe(&ObservationUpdate {
+            sight: camera(0.98),
+            ..update(&task, &goal, &seen)
+        });
+        let other = felt.doubts.iter();
+        other
+            .copied()
+            .find(|doubt| matches!(doubt, Doubt::ObservationInOtherFrame { .. }))
+    };
+    let left: Vec<Point2> = (task.particles.remaining().filter(|place| place.x < -0.01)).collect();
+    let count = left.len();
+    let moved = |to: fn(Point2) -> Point2| left.iter().copied().map(to).collect::<Vec<_>>();
+    for detections in [
+        moved(|p| -p),
+        moved(|p| Point2::new(-p.x, p.y)),
+        moved(|p| Point2::new(p.y, p.x)),
+        moved(|p| p + Vector2::new(0.03, 0.0)),
+    ] {
+        let found = doubt(&known, detections);
+        let Some(Doubt::ObservationInOtherFrame {
+            untouched,
+            seen_again,
+            unknown,
+            of,
+        }) = found
+        else {
+            panic!("{found:?}");
+        };
+        assert_eq!(of, count);
+        assert!(
+            (count..count + 6).contains(&untouched),
+            "{untouched} of {count}"
+        );
+        assert!(2 * seen_again < untouched && 2 * unknown > of, "{found:?}");
+    }
+    // Errors of the camera, a third of the dirt missed, as many false alarms, and a wiped board.
+    let mut noisy = moved(|p| p + Vector2::new(1.5e-3 * (900.0 * p.y).sin(), 1.5e-3));
+    assert_eq!(doubt(&known, noisy.clone()), None);
+    noisy.truncate(2 * count / 3);
+    noisy.extend(places(count / 3, 0.15));
+    assert_eq!(doubt(&known, noisy.clone()), None);
+    noisy.truncate(3);
+    assert_eq!(doubt(&known, noisy), None);
+    assert_eq!(doubt(&known, places(count, 0.15)[..4].to_vec()), None);
+    // The tool has moved nothing: all known dirt is seen.
+    assert_eq!(doubt(&known, task.particles.remaining().collect()), None);
+    // Where the places are unknown, no frame contradicts them.
+    let anywhere = DirtPrior::Anywhere { count: 60 }.belief(&task, 400);
+    assert_eq!(doubt(&anywhere, moved(|p| -p)), None);
+    // An observation before the log makes them known.
+    let seen = Observation {
+        detections: task.particles.remaining().collect(),
+        hidden: Region::default(),
+    };
+    let seen = anywhere.observe(&update(&task, &goal, &seen));
+    assert!(doubt(&seen, moved(|p| -p)).is_some());
+    assert_eq!(doubt(&seen, left.clone()), None);
+}
+
+/// The number of detections is as expected, but all of them lie in the goal area.
+#[test]
+fn a_share_within_the_goal_that_differs_is_named() {
+    let mut task = task(60, STEEP);
+    task.action = Action::Collect;
+    task.collect_goal = Some(Point2::new(0.1, 0.0));
+    let goal = task.goal().unwrap();
+    let config = InterpretConfig::from_task(&task);
+    let known = Belief::from_particles(task.particles.clone());
+    let samples = Script::default().samples(&task);
+    let mut felt = interpret(&samples, &task, &known, &goal, &config).unwrap();
+    let seen = Observation {
+        detections: (0..58)
+            .map(|i| Point2::new(0.08 + 7e-4 * f64::from(i), 0.01))
+            .collect(),
+        hidden: Region::default(),
+    };
+    felt.observe(&ObservationUpdate {
+        sight: camera(0.98),
+        ..update(&task, &goal, &seen)
+    });
+    let text: Vec<String> = felt.doubts.iter().map(ToString::to_string).collect();
+    assert!(
+        text.iter().any(|text| text.starts_with("of the 58 dirt locations that the observation shows, 100 % lie within the goal, but after the log ")),
+        "{text:?}"
+    );
 }

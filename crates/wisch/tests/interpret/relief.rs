@@ -303,6 +303,47 @@ fn two_curvatures_an_arc_and_a_crease_are_named() {
     );
 }
 
+/// A plane through a part of the contacts says nothing about the pose of a bent surface: the surface is shifted to their
+/// median height, and not tilted.
+#[test]
+fn contacts_on_no_plane_do_not_tilt_the_surface() {
+    let board = task(80, STEEP).surface;
+    for curvature in [-0.8, -0.5, -0.25, 0.25, 0.5, 0.8] {
+        for leans in [false, true] {
+            let relief = Relief::Cylinder {
+                curvature,
+                axis: 0.5 * PI,
+            };
+            let wipe = ReliefWipe {
+                leans,
+                ..wipe(relief)
+            };
+            let found = read(&wipe);
+            let shift = found.doubts.iter().find_map(|doubt| match doubt {
+                Doubt::HeightOnly { height } => Some(*height),
+                _ => None,
+            });
+            let Some(shift) = shift else {
+                panic!("{curvature} {leans}: {:?}", found.doubts);
+            };
+            let pose = match found.diagnosis {
+                Diagnosis::Relocalize { world_from_surface } => world_from_surface,
+                _ => board.world_from_surface,
+            };
+            let moved = board.world_from_surface.inverse() * pose;
+            assert!(moved.rotation.angle() < 1e-9, "{moved:?}");
+            // The height lies between the lowest and the highest place that the tool touched.
+            let ends = [0.0, 0.16].map(|x| relief.height(Point2::new(x, 0.0)));
+            let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            assert!(
+                (low..=high).contains(&shift),
+                "{curvature}: {shift} {ends:?}"
+            );
+            assert!(moved.translation.vector.z == 0.0 || moved.translation.vector.z == shift);
+        }
+    }
+}
+
 /// Reads a log over a surface that is believed to be rolled onto a cylinder with its axis along y.
 fn read_rolled(wipe: &ReliefWipe, radius: f64) -> Interpretation {
     let mut task = task(80, STEEP);

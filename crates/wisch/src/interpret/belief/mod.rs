@@ -5,6 +5,7 @@ mod activation;
 mod density;
 mod ensemble;
 mod exposure;
+mod observed_frame;
 mod parameter_sampling;
 mod performance;
 mod prior;

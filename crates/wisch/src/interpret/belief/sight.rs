@@ -55,7 +55,7 @@ const ANYWHERE: f64 = 0.05;
 /// Steps of the fixed-point iteration to the amount of dirt that lies where no member has any.
 const ANYWHERE_STEPS: usize = 100;
 /// Largest distance between a particle and its detection, in standard deviations of the sensor [1].
-const MATCHED: f64 = 3.0;
+pub(super) const MATCHED: f64 = 3.0;
 /// Largest number of particles near a detection among which the nearest is searched; further
 /// particles are skipped.
 const MOST_MATCHES: usize = 256;
@@ -266,7 +266,7 @@ impl ObservationUpdate<'_> {
     }
 
     /// Expected number of false alarms. Their share within the goal is the goal's share of the surface, which is small.
-    fn false_alarms(&self) -> f64 {
+    pub(super) fn false_alarms(&self) -> f64 {
         self.sight.sensor.false_alarms_per_m2 * self.surface.outline.area()
     }
 
@@ -338,6 +338,7 @@ impl ObservationUpdate<'_> {
             is_more_than_before: seen as f64 > believed[1] + FAR * self.count_error(believed[1]),
             seen,
             left,
+            shares: (!is_far).then(|| self.goal_shares(belief)).flatten(),
             believed,
             untouched: {
                 let [least, _] = if was_felt {
@@ -349,6 +350,22 @@ impl ObservationUpdate<'_> {
             },
             is_first: !belief.was_seen,
         })
+    }
+
+    /// Returns the share of the detections within the goal, and the range of this share that the members predict (5 % and
+    /// 95 % quantiles), if the share lies outside it [1].
+    fn goal_shares(&self, belief: &Belief) -> Option<[f64; 3]> {
+        let share =
+            |[outside, within]: [usize; REGIONS]| within as f64 / (outside + within).max(1) as f64;
+        let seen = share(self.count_by_region(self.observation.detections.iter().copied()));
+        let shares = belief.members().iter().map(|member| {
+            let visible = member.remaining().filter(|place| self.is_visible(*place));
+            share(self.count_by_region(visible))
+        });
+        let shares = shares.zip(belief.weights().iter().copied());
+        let shares = PerformanceDistribution::from_shares(shares, 0.0);
+        let [least, most] = [TAIL, 1.0 - TAIL].map(|tail| shares.quantile(tail));
+        (!(least..=most).contains(&seen)).then_some([seen, least, most])
     }
 
     /// Returns the mean share of the members' dirt, remaining or not, that lies in occluded places [1].

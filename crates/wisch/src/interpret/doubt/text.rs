@@ -77,12 +77,16 @@ impl fmt::Display for Doubt {
             Self::ToolLeans { lean, beyond } => write_lean(f, lean, beyond),
             Self::UnusableWrench { unusable, share } => write_unusable(f, unusable, share),
             Self::ObservationContradicts { .. } => write_contradiction(f, self),
+            Self::ObservationInOtherFrame { .. } => write_other_frame(f, self),
             Self::UnprovenCamera => f.write_str(UNPROVEN_CAMERA),
             Self::DetectionsBeside {
                 left_out,
                 of,
                 farthest,
             } => write_beside(f, left_out, of, farthest),
+            Self::FastTurns { turn, .. } => write_fast_turns(f, turn),
+            Self::HeightOnly { height } => write_height_only(f, height),
+            Self::DetectionsRepeated { repeated, of } => write_repeated(f, repeated, of),
             Self::PositionsContradictPose { distance, angle } => {
                 write_elsewhere(f, distance, angle)
             }
@@ -91,11 +95,7 @@ impl fmt::Display for Doubt {
             Self::HandGuided { share } => write_guided(f, share),
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
             Self::LoadInAir { force, mass } => write_load(f, force, mass),
-            Self::ContactBesideSurface { share } => write!(
-                f,
-                "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
-                100.0 * share
-            ),
+            Self::ContactBesideSurface { share } => write_contact_beside(f, share),
             Self::Scattered { inliers, confident } => write!(
                 f,
                 "only {inliers} of {confident} confident contacts lie on one plane"
@@ -537,11 +537,19 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
         believed: [fewest, all],
         is_more_than_before,
         hidden_share,
+        shares,
         ..
     } = doubt
     else {
         return Ok(());
     };
+    if let Some(shares) = shares {
+        let [found, low, high] = shares.map(|share| 100.0 * share);
+        return write!(
+            f,
+            "of the {seen} dirt locations that the observation shows, {found:.0} % lie within the goal, but after the log {low:.0} % to {high:.0} % were expected: the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
+        );
+    }
     let advice = if (*seen as f64) < *least {
         "the observation may be incomplete, or the tool wiped more than the log shows"
     } else if *is_more_than_before {
@@ -549,6 +557,12 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
     } else {
         "the estimate follows the observation; the log may lack contact, or the tool has another effect than expected"
     };
+    if (*least..=*most).contains(&(*seen as f64)) {
+        return write!(
+            f,
+            "the observation shows {seen} dirt locations, within the {least:.0} to {most:.0} that were expected after the log, but hardly any explanation of the log gives this number: {advice}"
+        );
+    }
     write!(
         f,
         "the observation shows {seen} dirt locations, but after the log {least:.0} to {most:.0} were expected, of {fewest:.0} to {all:.0} before: {advice}"
@@ -560,6 +574,64 @@ fn write_contradiction(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result
     write!(
         f,
         "; {percent:.0} % of the dirt is hidden from the camera, where the log may be as wrong"
+    )
+}
+
+/// Writes [`Doubt::FastTurns`].
+fn write_fast_turns(f: &mut fmt::Formatter<'_>, turn: f64) -> fmt::Result {
+    write!(
+        f,
+        "in contact the tool turns by about {:.0}° between two samples: the log does not show whether it turns faster, as more than half a turn looks like less in the other direction; record the pose at a higher rate",
+        turn.to_degrees()
+    )
+}
+
+/// Writes [`Doubt::HeightOnly`].
+fn write_height_only(f: &mut fmt::Formatter<'_>, height: f64) -> fmt::Result {
+    write!(
+        f,
+        "the contacts lie on no common plane, so that only their median height, {:.1} mm {} the believed surface, is used for its pose, and no tilt",
+        1e3 * height.abs(),
+        if height < 0.0 { "below" } else { "above" }
+    )
+}
+
+/// Writes [`Doubt::DetectionsRepeated`].
+fn write_repeated(f: &mut fmt::Formatter<'_>, repeated: usize, of: usize) -> fmt::Result {
+    let verbs = if repeated == 1 {
+        "repeats another one, at equal coordinates or closer than chance explains, and is"
+    } else {
+        "repeat other ones, at equal coordinates or closer than chance explains, and are"
+    };
+    write!(
+        f,
+        "{repeated} of {of} detections of the camera {verbs} left out"
+    )
+}
+
+/// Writes [`Doubt::ObservationInOtherFrame`].
+fn write_other_frame(f: &mut fmt::Formatter<'_>, doubt: &Doubt) -> fmt::Result {
+    let Doubt::ObservationInOtherFrame {
+        untouched,
+        seen_again,
+        unknown,
+        of,
+    } = doubt
+    else {
+        return Ok(());
+    };
+    write!(
+        f,
+        "the observation shows {seen_again} of the {untouched} known dirt locations that the tool did not touch, and {unknown} of its {of} detections lie where no dirt is possible: check the frame of the observation, its origin and the directions of x and y"
+    )
+}
+
+/// Writes [`Doubt::ContactBesideSurface`].
+fn write_contact_beside(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "{:.0} % of the contact time is beside the surface: check the pose and the outline of the surface",
+        100.0 * share
     )
 }
 

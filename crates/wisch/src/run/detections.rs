@@ -1,4 +1,4 @@
-//! Detections of a camera that lie beside the surface.
+//! Detections of a camera that lie beside the surface, or that repeat another one.
 
 use super::RunError;
 use crate::geometry::{Bounds2, Point2};
@@ -15,19 +15,48 @@ const DEVIATIONS: f64 = 5.0;
 /// Distance from which most detections show a wrong unit or frame, over the diagonal of the surface [1].
 const FAR_OFF: f64 = 10.0;
 
-/// Returns an observation without the detections beside the surface, and a remark on them if there are any. `error`:
-/// standard deviation of a detection's position [m]. `is_first`: whether the observation precedes the first round, so that
-/// most of the dirt is on the surface.
+/// Returns an observation without the detections that repeat another one
+/// ([`Observation::merge_repeated`]) or lie beside the surface, and a remark for each of the two reasons.
+///
+/// A detection counts as dirt at the edge if it lies at most 30 mm or five standard deviations beside the surface.
+///
+/// # Parameters
+/// - `observation`: detections in the chart of the believed surface.
+/// - `surface`: the believed surface.
+/// - `error`: standard deviation of a detection's position, along x and along y \[m\].
+/// - `is_first`: whether no observation precedes this one, so that most of the dirt should be on the surface.
 ///
 /// # Errors
 /// If all detections of a first observation are beside the surface, or most of any observation are farther from it than
 /// ten times its diagonal: their unit or frame is wrong.
-pub(super) fn keep_on_surface(
+pub fn check_detections(
     mut observation: Observation,
     surface: &Surface,
     error: f64,
     is_first: bool,
-) -> Result<(Observation, Option<Doubt>), RunError> {
+) -> Result<(Observation, Vec<Doubt>), RunError> {
+    let all = observation.detections.len();
+    let repeated = observation.merge_repeated(error);
+    let mut doubts = Vec::new();
+    if repeated > 0 {
+        doubts.push(Doubt::DetectionsRepeated { repeated, of: all });
+    }
+    doubts.extend(leave_out_beside(
+        &mut observation,
+        surface,
+        error,
+        is_first,
+    )?);
+    Ok((observation, doubts))
+}
+
+/// Leaves out the detections beside the surface, and returns a remark on them if there are any; see [`check_detections`].
+fn leave_out_beside(
+    observation: &mut Observation,
+    surface: &Surface,
+    error: f64,
+    is_first: bool,
+) -> Result<Option<Doubt>, RunError> {
     let outline = &surface.outline;
     let distance = |place: &Point2| {
         if outline.contains(*place) {
@@ -47,7 +76,7 @@ pub(super) fn keep_on_surface(
     let most = at_edge.max(DEVIATIONS * error);
     let left_out = beyond(most);
     if left_out == 0 {
-        return Ok((observation, None));
+        return Ok(None);
     }
     let farthest = distances.iter().copied().fold(0.0, f64::max);
     let bounds = Bounds2::from_points(outline.outer().iter().copied());
@@ -69,12 +98,11 @@ pub(super) fn keep_on_surface(
     let mut places = distances.iter();
     let mut is_kept = || places.next().is_none_or(|off| *off <= most);
     observation.detections.retain(|_| is_kept());
-    let doubt = Doubt::DetectionsBeside {
+    Ok(Some(Doubt::DetectionsBeside {
         left_out,
         of,
         farthest,
-    };
-    Ok((observation, Some(doubt)))
+    }))
 }
 
 #[cfg(test)]
@@ -82,7 +110,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Polygon, Pose, Vector2};
 
-    /// Applies [`keep_on_surface`] to detections around a surface of 0.32 m by 0.24 m.
+    /// Applies [`check_detections`] to detections around a surface of 0.32 m by 0.24 m.
     fn kept(places: &[[f64; 2]], is_first: bool) -> Result<(usize, Option<Doubt>), RunError> {
         let outline = Polygon::rectangle(Vector2::new(0.32, 0.24));
         let surface = Surface::new("board", outline, Pose::identity());
@@ -90,8 +118,8 @@ mod tests {
             detections: places.iter().copied().map(Point2::from).collect(),
             ..Observation::default()
         };
-        let kept = keep_on_surface(seen, &surface, 2e-3, is_first);
-        kept.map(|(seen, doubt)| (seen.detections.len(), doubt))
+        let kept = check_detections(seen, &surface, 2e-3, is_first);
+        kept.map(|(seen, doubts)| (seen.detections.len(), doubts.into_iter().next()))
     }
 
     #[test]
