@@ -188,6 +188,49 @@ fn a_hand_that_lifts_the_tool_is_no_soft_contact() {
     assert_eq!(felt.len(), 2, "{felt:?}");
 }
 
+/// The slab under a saddle has more corners than one solid of the engine may have, so it is divided into triangles.
+#[test]
+fn a_tool_that_slides_over_a_saddle_is_not_pushed() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let mesh = wisch_testkit::curved_meshes::saddle();
+    let mut text = String::new();
+    for v in mesh.vertices() {
+        text += &format!("v {} {} {}\n", v.x, v.y, v.z);
+    }
+    for [a, b, c] in mesh.triangles() {
+        text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
+    }
+    fs::write(folder.join("saddle.obj"), text).unwrap();
+    let task = r#"
+        schema = 1
+        name = "saddle"
+        seed = 1000
+        action = "polish"
+        tool = { name = "sponge" }
+        medium = { name = "polishing_paste" }
+        particles = { source = "surface", count = 400 }
+        surface = { name = "part", friction = 0.3, mesh = { file = "saddle.obj" }, position_m = [0, 0, 0.85] }
+        polish = { passes = 1, max_passes = 4 }
+        robot = { name = "humanoid", position_m = [0, -1.1, 0], rpy_rad = [0, 0, 1.5707963267948966] }
+    "#;
+    fs::write(folder.join("saddle.toml"), task).unwrap();
+    let path = folder.join("saddle.toml");
+    let loaded = load_task(&path, &LoadOptions::default()).unwrap();
+    let surface = WorkSurface::from_task(&loaded.task);
+    let mut world = World::new(&surface, settings(&loaded), loaded.task.seed).unwrap();
+    let robot = loaded.robot().unwrap().expect("the task has a robot");
+    let config = RunConfig {
+        max_rounds: 1,
+        ..run_config(&loaded)
+    };
+    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.robot_setup());
+    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    all.unwrap();
+    let round = &session.rounds()[0];
+    assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
+}
+
 #[test]
 fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
     let (loaded, rounds) = executed("solar-panel-wiper", "uniform", 1);
