@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 /// Crumbs and water on a board before an arm that holds a sponge.
-fn write_board(folder: &Path) {
+pub fn write_board(folder: &Path) {
     let task = r#"
         schema = 1
         name = "board"

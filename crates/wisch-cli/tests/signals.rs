@@ -220,6 +220,29 @@ fn ctrl_c_in_the_first_round_leaves_nothing() {
 }
 
 #[test]
+fn a_signal_in_a_later_step_of_a_goal_names_the_step_and_keeps_the_earlier_ones() {
+    let folder = tempfile::tempdir().unwrap();
+    crate::goals::write_board(folder.path());
+    let mut command = Command::new(program());
+    command.current_dir(folder.path()).stderr(Stdio::piped());
+    let run = command.args(["run", "board.toml", "--out", "out", "--no-memory"]);
+    let run = run.stdout(Stdio::null()).spawn().expect("it begins");
+    let since = Instant::now();
+    while !folder.path().join("out/step-1/report.html").exists() {
+        assert!(since.elapsed() < LONGEST, "no step is finished");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    kill_process(Pid::from_child(&run), Signal::TERM).expect("it runs");
+    let output = run.wait_with_output().expect("it ends");
+    let err = String::from_utf8_lossy(&output.stderr);
+    let said = "error: interrupted during step 2; its results are not kept\n  help: the results of what was finished before it are in out; they cannot be resumed\n";
+    assert!(err.contains(said), "{err}");
+    assert_eq!(output.status.code(), Some(143), "{err}");
+    assert!(folder.path().join("out/step-1").exists());
+    assert!(!folder.path().join("out/step-2").exists());
+}
+
+#[test]
 fn where_nobody_reads_the_events_any_more_the_robot_is_stopped_and_the_round_kept() {
     if !crate::executor::has_python() {
         return;

@@ -5,6 +5,7 @@ use crate::progress::Progress;
 use crate::terminal::{hold_back, print_error, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
@@ -196,7 +197,37 @@ pub fn delay_signals() -> MutexGuard<'static, Option<UnfinishedRun>> {
     unfinished()
 }
 
+/// The part of the command that is in progress, where a command consists of several runs.
+static PART: Mutex<Option<CommandPart>> = Mutex::new(None);
+
+/// A part of a command, such as a step of a goal or a patch of a surface.
+#[derive(Debug)]
+pub struct CommandPart {
+    /// Name of the part, such as `step 5`.
+    pub name: String,
+    /// Folder of the results of earlier parts, if there are any.
+    pub earlier: Option<PathBuf>,
+}
+
+/// Lets a signal print which part of the command it ends, and where the results of earlier parts are.
+pub fn say_which_part(part: CommandPart) {
+    *PART.lock().unwrap_or_else(PoisonError::into_inner) = Some(part);
+}
+
 fn interruption(kept: usize) -> Failure {
+    let part = PART.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(CommandPart { name, earlier }) = part {
+        return match earlier {
+            None => Failure::new(format!("interrupted during {name}; nothing is kept")),
+            Some(folder) => Failure::new(format!(
+                "interrupted during {name}; its results are not kept"
+            ))
+            .with_help(format!(
+                "the results of what was finished before it are in {}; they cannot be resumed",
+                folder.display()
+            )),
+        };
+    }
     if kept == 0 {
         return Failure::new("interrupted during the first round; nothing is kept");
     }

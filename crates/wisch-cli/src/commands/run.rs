@@ -2,7 +2,7 @@
 
 use super::extent::{Extent, choose_robot, find_single_option};
 use super::goal::{GoalEpisode, GoalRun, GoalSummary, GoalTask, read_goal, read_step_number};
-use super::interrupt::is_stop_requested;
+use super::interrupt::{CommandPart, is_stop_requested, say_which_part};
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::stage_failure;
@@ -268,6 +268,10 @@ fn work_on_patches(
             force: results.force,
             json: results.json,
         };
+        say_which_part(CommandPart {
+            name: format!("patch {number} of {count}"),
+            earlier: (!summaries.is_empty()).then(|| out.clone()),
+        });
         let done = match wipe_surface(task_args, &of_patch, None, extent, global, &|_| Ok(())) {
             Ok(done) => done,
             Err(failure) => {

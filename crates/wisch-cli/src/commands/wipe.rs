@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{print, remark};
 use std::path::Path;
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 use wisch::interpret::Belief;
 use wisch::plan::{Plan, Strategy, check_strokes, describe_over_border, predict};
 use wisch::recover::Verdict;
@@ -197,9 +197,14 @@ fn remark_unseen(results: &RunResults) {
     }
 }
 
-/// States that plans are compared without the task's robot, where another command compares them with it.
+/// States that plans are compared without the task's robot, where another command compares them with it: once for all steps
+/// of a goal.
 fn remark_unweighed(prepared: &LoadedTask) {
-    if prepared.run.plan.strategy == Strategy::Best && prepared.file.robot.is_some() {
+    static STATED: AtomicBool = AtomicBool::new(false);
+    if prepared.run.plan.strategy == Strategy::Best
+        && prepared.file.robot.is_some()
+        && !STATED.swap(true, Ordering::Relaxed)
+    {
         remark(
             "strategy best compares plans without the robot's execution times here; wisch plan, follow and run with the robot include them, and may choose another plan",
         );
