@@ -259,9 +259,9 @@ impl PyMemory {
                 truth: None,
             });
         }
-        let first_look = session.first_observation(py)?;
+        let first_observation = session.first_observation(py)?;
         let (loaded, files) = (&session.task, session.robot_files());
-        let episode = sink.commit(&finished, first_look, loaded, files, None, PROGRAM);
+        let episode = sink.commit(&finished, first_observation, loaded, files, None, PROGRAM);
         let episode = episode.map_err(refused)?;
         // The engine does not know the new episode.
         *self.asking.lock().unwrap_or_else(PoisonError::into_inner) = None;

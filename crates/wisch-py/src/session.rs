@@ -360,9 +360,9 @@ impl PySession {
             ExecutedBy::Executor,
             Vec::new(),
         );
-        let first_look = session.first_observation().cloned();
+        let first_observation = session.first_observation().cloned();
         let robot = self.robot.as_deref();
-        let kept = py.detach(|| record.finish_with(&self.task, robot, results, first_look));
+        let kept = py.detach(|| record.finish_with(&self.task, robot, results, first_observation));
         let kept = kept.map_err(of_record)?;
         let (episode, lost) = match kept.episode {
             Ok(episode) => (episode, None),
@@ -750,7 +750,7 @@ impl PySession {
 
     /// Detections before the first round, (k, 2) in the frame of the surface [m]; `None` without a camera.
     #[getter]
-    fn first_look<'py>(&self, py: Python<'py>) -> PyResult<Option<Matrix<'py>>> {
+    fn first_observation<'py>(&self, py: Python<'py>) -> PyResult<Option<Matrix<'py>>> {
         self.read(py, |session| {
             let observation = session.first_observation();
             Ok(observation.map(|it| arrays::points(py, it.detections.iter().copied())))

@@ -85,7 +85,7 @@ def test_observe_is_called_before_the_first_plan_and_after_a_motion(robot):
     session = task.session(robot, rounds=1)
     [only] = session.run(executor)
     assert executor.looks == 2
-    np.testing.assert_array_equal(session.first_look, task.particles[:40])
+    np.testing.assert_array_equal(session.first_observation, task.particles[:40])
     assert only.performance != only.interpretation.performance_by_touch
 
     class Wrong(AllAtOnce):

@@ -461,7 +461,7 @@ class Session:
     def verdict(self) -> str | None:
         """Why the session has ended; None before its end, or if it was stopped."""
     @property
-    def first_look(self) -> Floats | None:
+    def first_observation(self) -> Floats | None:
         """Detections before the first round, (k, 2) in the frame of the surface [m]."""
     @property
     def episode(self) -> str | None:

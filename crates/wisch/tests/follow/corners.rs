@@ -1,11 +1,11 @@
 //! Acute corners of strokes.
 
-use wisch::follow::{FollowConfig, audit, follow};
+use std::fs;
+use std::path::Path;
 use wisch::plan::Strategy;
-use wisch::represent::Action;
 use wisch::run::{NoExecutor, Stage, ignore_events};
 use wisch_io::{LoadOptions, load_task};
-use wisch_testkit::{board, cell, planned, root};
+use wisch_testkit::root;
 
 #[test]
 fn the_tool_reaches_the_tip_of_an_acute_corner_as_the_audit_demands() {
@@ -31,17 +31,26 @@ fn the_tool_reaches_the_tip_of_an_acute_corner_as_the_audit_demands() {
 
 #[test]
 fn corners_are_passed_slower_where_no_smaller_blend_keeps_the_tool_on_its_line() {
-    // Spread over this time, the largest acceleration takes a joint 4 mrad off a corner, and the tool more than the 1 mm
-    // that it may deviate by.
-    let config = FollowConfig {
-        acceleration_ramp: 0.1,
-        ..FollowConfig::default()
-    };
-    for action in [Action::Absorb, Action::Collect] {
-        let task = board(action, [0.5, 0.0, 0.2]);
-        let (plan, cell) = (planned(&task), cell(&task));
-        let followed = follow(&task, &plan, &cell, None, &config, &mut |_| {}).unwrap();
-        let audit = audit(&followed, &cell, &task, &config).unwrap();
-        assert_eq!(audit.faults, [], "{action}");
-    }
+    // Accelerations are spread over 0.04 s, which takes the tool 1.3 mm off a corner of these strokes.
+    let task = r#"
+        schema = 1
+        name = "corners"
+        seed = 52
+        action = "absorb"
+        strategy = "kde"
+        tool = { name = "sponge" }
+        medium = { name = "water" }
+        surface = { name = "board", size_m = [0.24, 0.24], position_m = [-0.2, 0, 0.77], carried_by = "block", friction = 0.35 }
+        particles = { source = "uniform", count = 40 }
+        robot = { name = "humanoid", position_m = [0, -1.1, 0], rpy_rad = [0, 0, 1.5707963267948966] }
+        scene = [{ name = "block", box_m = [0.24, 0.24, 0.04], position_m = [-0.2, 0, 0.75] }]
+    "#;
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("corners.toml");
+    fs::write(&path, task).unwrap();
+    let loaded = load_task(&path, &LoadOptions::default()).unwrap();
+    let robot = loaded.robot().unwrap().expect("the task has a robot");
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    (session.run_until(Stage::Audited, &mut NoExecutor, &mut ignore_events)).unwrap();
+    let (_, audit) = session.first_motion().expect("a motion");
+    assert_eq!(audit.faults, []);
 }
