@@ -232,7 +232,8 @@ const BY_HAND: &[(&str, &[&str])] = &[
     ("drift(R, _, _, _, _)", &[]),
     ("localization_drift(S, _, _, _)", &[]),
     ("localization_change(S, _, _, _)", &[]),
-    ("drift_cause(S, _, _)", &["semco:chopping_board"]),
+    // Only one episode found the surface elsewhere, which is no change from the first episode to the last.
+    ("drift_cause(S, _, _)", &[]),
     ("tool_wear(T, _, _, _)", &[]),
     (
         "tool_performance(semco:broom, M, P, N)",

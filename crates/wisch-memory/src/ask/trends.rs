@@ -5,7 +5,7 @@ use super::rows::node_name;
 use super::term::Term;
 use crate::catalogue::{Catalogue, CatalogueNode, IndividualId, entries};
 use crate::health::{
-    ChannelState, HealthChannel, RobustLine, assess_groups, find_cause, find_changes,
+    ChannelState, HealthChannel, LEAST_OFFSET, RobustLine, assess_groups, find_cause, find_changes,
     gather_groups, median,
 };
 use std::collections::{BTreeMap, HashMap};
@@ -203,7 +203,7 @@ pub fn causes(catalogue: &Catalogue, within: [f64; 2]) -> Vec<Term> {
         let [first, last] = [&reversed, &offsets].map(|way| end_of(HealthChannel::Offset, way));
         let moved = last - first;
         // A surface that moved and came back has no change from the first episode to the last.
-        if moved * by_means <= 0.0 {
+        if moved.abs() < LEAST_OFFSET || moved * by_means <= 0.0 {
             return None;
         }
         let parts = [

@@ -11,7 +11,7 @@ const IS_NO_CAUSE: f64 = 0.3;
 /// Rounds before a sudden change that count, so that a long history does not hide it.
 const BEFORE: usize = 20;
 /// Least change in height whose cause is determined \[m\].
-const LEAST_OFFSET: f64 = 1e-3;
+pub(crate) const LEAST_OFFSET: f64 = 1e-3;
 
 /// The cause of a change in the height at which a tool gets in contact with a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

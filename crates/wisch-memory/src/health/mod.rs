@@ -31,7 +31,7 @@ pub use report::{
 };
 pub use words::{ChannelWords, DescribedHealth, GroupWords, HealthWords, TrendWords};
 
-pub(crate) use cause::find_cause;
+pub(crate) use cause::{LEAST_OFFSET, find_cause};
 pub(crate) use change::find_changes;
 pub(crate) use median::median;
 pub(crate) use slope::RobustLine;
