@@ -1,16 +1,19 @@
 //! Detections that an observation holds twice.
 //!
-//! Two causes are distinguished from dirt that lies close together: rows that repeat coordinates, and detections of the
-//! same dirt by two images or two runs of a detector. Chance explains equal coordinates if they are rounded coarsely, and
-//! close pairs where dirt lies in a heap. Both tests therefore compare each distance with the distance of the next
-//! neighbour, which states how dense the dirt is there.
+//! Two causes are distinguished from dirt that lies close together: a list in which nearly all rows stand equally often, and
+//! detections of the same dirt by two images or two runs of a detector. A few equal rows are no proof of a repetition, because
+//! coordinates that are rounded to a pixel are equal by chance where dirt lies close together. Chance explains close pairs where
+//! dirt lies in a heap, so that each distance is compared with the distance of the next neighbour, which states how dense the
+//! dirt is there.
 
 use super::Observation;
 use crate::geometry::{Bounds2, Point2, PointGrid};
 use std::collections::{HashMap, HashSet};
 
-/// Logarithm of the probability below which chance does not explain equal coordinates: two in a hundred.
-const EQUAL_BY_CHANCE: f64 = -3.9;
+/// Least number of distinct places in a list of which all rows are repeated, and least share of these places that stand
+/// equally often \[1\].
+const FEWEST: usize = 5;
+const LEAST_REPEATED: f64 = 0.8;
 /// Logarithm of the probability below which chance does not explain close pairs: one in a million.
 const PAIRS_BY_CHANCE: f64 = -13.8;
 /// Distance in a close pair over that of the next neighbour \[1\]. Along a line of dirt, such as one that a tool has
@@ -18,44 +21,33 @@ const PAIRS_BY_CHANCE: f64 = -13.8;
 const CLOSE: f64 = 0.2;
 /// Largest distance in a close pair, in standard deviations of the distance of two detections of the same dirt \[1\].
 const SAME: f64 = 3.0;
-/// Roundings of coordinates that are tried \[m\].
-const ROUNDINGS: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
-/// Distance of the second neighbour over the rounding below which rounding hides how dense the dirt is \[1\].
-const RESOLVED: f64 = 10.0;
-/// Distance that a missing neighbour counts as \[m\].
-const ALONE: f64 = 0.05;
 /// Largest distance in the pairs of a repeated image, over the median distance of its close pairs \[1\].
 const REPEATED: f64 = 3.0;
-/// Largest deviation of a rounded coordinate from a multiple, over the rounding \[1\].
-const OFF_MULTIPLE: f64 = 1e-6;
 
 impl Observation {
     /// Removes detections that repeat another one, and returns their number. `error`: standard deviation of a detection's
     /// position, along x and along y \[m\].
     ///
-    /// Of equal coordinates, one detection remains, unless chance explains them: the coordinates are rounded coarsely, and
-    /// the dirt lies close together. Of a close pair, the first detection remains, but only if chance does not explain
-    /// the number of pairs.
+    /// Of equal coordinates, one detection remains if nearly all coordinates stand equally often, and more than once. Of a
+    /// close pair, the first detection remains, but only if chance does not explain the number of pairs.
     ///
     /// ```
     /// use wisch::geometry::Point2;
     /// use wisch::represent::Observation;
-    /// let places = [[0.1012, 0.0204], [0.0231, -0.0517], [0.1012, 0.0204]];
+    /// let places = [[0.1012, 0.0204], [0.0231, -0.0517], [0.09, 0.03], [-0.1, 0.02], [-0.02, 0.07]];
     /// let mut seen = Observation {
-    ///     detections: places.map(Point2::from).to_vec(),
+    ///     detections: places.repeat(2).into_iter().map(Point2::from).collect(),
     ///     ..Observation::default()
     /// };
-    /// assert_eq!(seen.merge_repeated(2e-3), 1);
-    /// assert_eq!(seen.detections.len(), 2);
+    /// assert_eq!(seen.merge_repeated(2e-3), 5);
     /// ```
     pub fn merge_repeated(&mut self, error: f64) -> usize {
         let before = self.detections.len();
         let (distinct, numbers) = distinct_places(&self.detections);
-        let neighbours = Neighbours::of(&distinct);
-        let [repeats, expected] = neighbours.equal_places(&self.detections, &distinct, &numbers);
-        if repeats > 0.0 && equal_by_chance(repeats, expected) < EQUAL_BY_CHANCE {
+        if stand_equally_often(&self.detections, &numbers) {
             self.detections.clone_from(&distinct);
         }
+        let neighbours = Neighbours::of(&distinct);
         let seconds = neighbours.repeated(SAME * std::f64::consts::SQRT_2 * error);
         (self.detections).retain(|place| !seconds.contains(&numbers[&key(*place)]));
         before - self.detections.len()
@@ -78,6 +70,19 @@ fn distinct_places(places: &[Point2]) -> (Vec<Point2>, HashMap<[u64; 2], usize>)
         });
     }
     (distinct, numbers)
+}
+
+/// Whether nearly all of the distinct places stand equally often in a list, and more than once.
+fn stand_equally_often(places: &[Point2], numbers: &HashMap<[u64; 2], usize>) -> bool {
+    let distinct = numbers.len();
+    let mut times = vec![0_usize; distinct];
+    for place in places {
+        times[numbers[&key(*place)]] += 1;
+    }
+    times.sort_unstable();
+    let usual = times.get(distinct / 2).copied().unwrap_or_default();
+    let alike = times.iter().filter(|times| **times == usual).count();
+    distinct >= FEWEST && usual > 1 && alike as f64 >= LEAST_REPEATED * distinct as f64
 }
 
 /// The nearest neighbour of each place, and the distances of the two nearest ones \[m\].
@@ -103,38 +108,6 @@ impl Neighbours {
             found
         };
         Self(places.iter().enumerate().map(nearest).collect())
-    }
-
-    /// Returns the number of places that repeat a distinct one, and the number that chance explains, if there is as much
-    /// dirt around each place as its second neighbour says. Places in heaps that the rounding of the coordinates does not
-    /// resolve are left out.
-    fn equal_places(
-        &self,
-        places: &[Point2],
-        distinct: &[Point2],
-        numbers: &HashMap<[u64; 2], usize>,
-    ) -> [f64; 2] {
-        let is_rounded = |step: &&f64| {
-            let mut along = distinct.iter().flat_map(|place| [place.x, place.y]);
-            along.all(|along| (along / **step - (along / **step).round()).abs() < OFF_MULTIPLE)
-        };
-        let step = ROUNDINGS
-            .iter()
-            .find(is_rounded)
-            .copied()
-            .unwrap_or(f64::EPSILON);
-        let next = |i: usize| self.0[i].map_or(ALONE, |(_, [_, next])| next.min(ALONE));
-        let is_resolved = |i: usize| next(i) > RESOLVED * step;
-        let resolved = (0..distinct.len()).filter(|&i| is_resolved(i));
-        // Two neighbours within r: a density of 2 / (π r²). Each pair counts once.
-        let expected = resolved
-            .clone()
-            .map(|i| (step / next(i)).powi(2) / std::f64::consts::PI);
-        let all = places
-            .iter()
-            .filter(|place| is_resolved(numbers[&key(**place)]))
-            .count();
-        [(all - resolved.clone().count()) as f64, expected.sum()]
     }
 
     /// Returns the second place of each pair of places that two images show, at most `most` \[m\] apart; none if chance
@@ -166,15 +139,6 @@ impl Neighbours {
         });
         seconds.collect()
     }
-}
-
-/// Bound on the logarithm of the probability of at least `count` events where this number is expected (Chernoff bound of
-/// the Poisson distribution).
-fn equal_by_chance(count: f64, expected: f64) -> f64 {
-    if count <= expected {
-        return 0.0;
-    }
-    count - expected + count * libm::log(expected / count)
 }
 
 /// Bound on the logarithm of the probability of at least this share of close pairs in a number of trials (Chernoff bound of
@@ -238,29 +202,29 @@ mod tests {
             for count in [2, 10, 60, 300] {
                 for places in dirt(count, seed) {
                     assert_eq!(merged(&places), 0, "{seed} {count}");
-                    // Coarse coordinates are equal by chance.
-                    let equal = merged(&rounded(&places, 1e-2));
-                    assert!(equal == 0, "{seed} {count}: {equal} merged");
+                    // Coordinates on a grid, such as that of pixels, are equal by chance.
+                    for step in [1e-2, 5e-3, 2.5e-3, 1.0 / 256.0, 1e-3, 1e-4] {
+                        let equal = merged(&rounded(&places, step));
+                        assert_eq!(equal, 0, "{seed} {count} {step}");
+                    }
                 }
             }
         }
     }
 
     #[test]
-    fn repeated_rows_count_once_even_if_few() {
+    fn rows_of_a_list_that_holds_all_of_them_equally_often_count_once() {
         for seed in 0..20 {
-            for places in dirt(54, seed) {
-                let places = rounded(&places, 1e-6);
-                for repeats in [1, 5, 54] {
-                    let rows = [&places[..], &places[..repeats]].concat();
-                    assert_eq!(merged(&rows), repeats, "{seed}");
-                }
-                assert_eq!(merged(&[&places[..]; 3].concat()), 108);
+            for step in [1e-2, 1e-3, 1e-6] {
+                let [uniform, ..] = dirt(27, seed);
+                let (places, _) = distinct_places(&rounded(&uniform, step));
+                let all = places.len();
+                assert_eq!(merged(&places.repeat(2)), all, "{seed} {step}");
+                assert_eq!(merged(&places.repeat(3)), 2 * all, "{seed} {step}");
+                // Two rows more, as of another image, change nothing.
+                let more = [&places.repeat(2)[..], &places[..2]].concat();
+                assert_eq!(merged(&more), all + 2, "{seed} {step}");
             }
-            let [uniform, ..] = dirt(54, seed);
-            let uniform = rounded(&uniform, 1e-4);
-            let rows = [&uniform[..], &uniform[..2]].concat();
-            assert_eq!(merged(&rows), 2, "{seed}");
         }
     }
 

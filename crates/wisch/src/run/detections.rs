@@ -35,18 +35,14 @@ pub fn check_detections(
     error: f64,
     is_first: bool,
 ) -> Result<(Observation, Vec<Doubt>), RunError> {
-    let all = observation.detections.len();
+    let mut doubts: Vec<Doubt> = leave_out_beside(&mut observation, surface, error, is_first)?
+        .into_iter()
+        .collect();
+    let of = observation.detections.len();
     let repeated = observation.merge_repeated(error);
-    let mut doubts = Vec::new();
     if repeated > 0 {
-        doubts.push(Doubt::DetectionsRepeated { repeated, of: all });
+        doubts.push(Doubt::DetectionsRepeated { repeated, of });
     }
-    doubts.extend(leave_out_beside(
-        &mut observation,
-        surface,
-        error,
-        is_first,
-    )?);
     Ok((observation, doubts))
 }
 
