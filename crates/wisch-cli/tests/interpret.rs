@@ -451,9 +451,11 @@ fn a_list_of_dirt_is_read_as_the_detections_of_an_executor() {
     let (at_edge, shown) = observe("-0.1812,0.1415\n", "edge.csv");
     let off = at_edge.as_f64().unwrap() - one.as_f64().unwrap();
     assert!(off.abs() < 0.05 && !shown.contains("left out"), "{shown}");
-    let (twice, shown) = observe("-0.1812,0.1207\n-0.1812,0.1207\n", "twice.csv");
-    let remark = "1 of 2 detections of the camera repeats another one";
-    assert!(twice == one && shown.contains(remark), "{shown}");
+    let rows = "-0.1812,0.1207\n-0.15,0.02\n-0.17,-0.08\n-0.165,0.071\n-0.18,-0.03\n";
+    let (five, _) = observe(rows, "five.csv");
+    let (twice, shown) = observe(&rows.repeat(2), "twice.csv");
+    let remark = "5 of 10 detections of the camera repeat other ones";
+    assert!(twice == five && shown.contains(remark), "{shown}");
     let (around, shown) = observe("-0.1812,0.1207\n0.0,0.25\n", "around.csv");
     let remark =
         "1 of 2 detections of the camera is beside the surface, up to 0.110 m from its edge";
@@ -464,6 +466,12 @@ fn a_list_of_dirt_is_read_as_the_detections_of_an_executor() {
     for part in ["--observation: off.csv: 1 of 1 detections", "unit or frame"] {
         assert!(shown.contains(part), "{part} in {shown}");
     }
+    // Skimmed dirt lies beside the surface.
+    let skim = ["action=skim", "surface.skim_edges=[\"y_max\"]"];
+    let skim: Vec<&str> = skim.iter().flat_map(|set| ["--set", set]).collect();
+    let args = [&["--observation", "off.csv"], &skim[..]].concat();
+    let (code, record) = interpreted(folder.path(), "log.mcap", &args);
+    assert!(code < 2, "{record}");
 }
 
 /// A plate to be polished twice, at most three times.

@@ -6,7 +6,7 @@ use crate::args::LoggedArgs;
 use crate::failure::Failure;
 use std::path::Path;
 use wisch::interpret::Doubt;
-use wisch::represent::{GoalState, Observation};
+use wisch::represent::{Action, GoalState, Observation};
 use wisch::run::{RunError, check_detections};
 use wisch_io::LoadedTask;
 use wisch_telemetry::{Log, LogOptions, is_bag, read};
@@ -49,12 +49,14 @@ pub(super) fn observation_in(
         let surface = &prepared.task.surface;
         check_detections(seen, surface, sensor.position_error_m, is_first).map_err(error)
     };
+    // Skimmed dirt lies beside the surface.
+    let skims = prepared.task.action == Action::Skim;
     let is_log = is_same_file(file, &source.log);
     if !is_log && !is_bag(file).unwrap_or(false) {
         let after = prepared.observation(file)?;
         let detections = counted(after.detections.len(), "detection");
         let remark = format!("after the log: {detections} of dirt in {}", file.display());
-        let (after, doubts) = check(after, true)?;
+        let (after, doubts) = check(after, !skims)?;
         return Ok(LogObservations {
             before: None,
             after,
@@ -103,7 +105,7 @@ pub(super) fn observation_in(
     let before = before.map(|before| check(before, true)).transpose()?;
     let (before, mut doubts) =
         before.map_or((None, Vec::new()), |(seen, doubts)| (Some(seen), doubts));
-    let (after, left_out) = check(after, before.is_none())?;
+    let (after, left_out) = check(after, before.is_none() && !skims)?;
     doubts.extend(left_out);
     Ok(LogObservations {
         before,

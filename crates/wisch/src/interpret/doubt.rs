@@ -488,15 +488,6 @@ impl Doubt {
         )
     }
 
-    /// Least radius of the shape on which the contacts lie \[m\], if it is known.
-    pub(super) fn least_radius(&self) -> Option<f64> {
-        match self {
-            Self::Curved { radius, .. } | Self::CurvedAlong { radius, .. } => Some(*radius),
-            Self::DoublyCurved { radii, .. } => Some(radii[0].abs().min(radii[1].abs())),
-            _ => None,
-        }
-    }
-
     /// Whether the tool may have wiped more than the log shows: it begins or ends while the tool presses, or has no usable
     /// samples for a time.
     pub fn is_cut(&self) -> bool {

@@ -5,7 +5,7 @@ use super::contact::{ContactResidual, FittedPlane, PathPiece, ShapeFit, ToolStif
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
-use crate::represent::Observation;
+use crate::represent::{GoalState, Observation};
 
 /// Probability that the performance is unknown if an observation contradicts the number of particles [1].
 const UNKNOWN_SHARE: f64 = 0.5;
@@ -138,7 +138,13 @@ impl Interpretation {
             }
             self.doubts.push(doubt);
         }
-        self.doubts.extend(misplaced);
+        if let Some(doubt) = misplaced {
+            // Whether dirt is in the goal depends on its place.
+            if matches!(update.goal, GoalState::Collected { .. }) {
+                self.distribution = self.distribution.or_unknown(UNKNOWN_SHARE, 0.0);
+            }
+            self.doubts.push(doubt);
+        }
         if is_unproven {
             self.distribution = self
                 .distribution

@@ -586,27 +586,13 @@ impl Interpreter {
         surface_from_middle * moved * surface_from_middle.inverse()
     }
 
-    /// Returns the believed plane at the median height of the contacts, if they lie on another shape, and most of them lie
-    /// on no plane or the bend explains the tilt. The plane through some of them then says nothing about the pose of the
-    /// surface.
+    /// Returns the believed plane at the median height of the contacts, if they lie on another shape and most of them on no
+    /// plane. The plane through the others then says nothing about the pose of the surface.
     fn shift_without_plane(&self, analysis: &LogAnalysis) -> Option<FittedPlane> {
         let (fit, plane) = analysis.classified.plane.as_ref()?;
-        let shape = analysis
-            .doubts
-            .iter()
-            .find(|doubt| doubt.is_other_shape())?;
         let is_scattered =
             (analysis.doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }));
-        let middle = middle(&self.surface);
-        let corners = self.surface.outline.outer().iter();
-        let reach = corners
-            .map(|corner| (corner - middle).norm())
-            .fold(0.0, f64::max);
-        // At a distance s from the middle, a surface of radius R has the slope s / R.
-        let is_by_bend = shape
-            .least_radius()
-            .is_some_and(|radius| plane.tilt * radius <= reach);
-        if !is_scattered && !is_by_bend {
+        if !is_scattered || !analysis.doubts.iter().any(Doubt::is_other_shape) {
             return None;
         }
         let heights = (analysis.classified.path.iter())

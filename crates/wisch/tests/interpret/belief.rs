@@ -743,6 +743,21 @@ fn an_observation_in_another_frame_is_noticed_and_noise_is_none() {
         );
         assert!(2 * seen_again < untouched && 2 * unknown > of, "{found:?}");
     }
+    // Whether dirt is in the goal area depends on its place.
+    let collected = GoalState::Collected {
+        center: Point2::new(0.09, 0.0),
+        radius: 0.25,
+    };
+    let seen = Observation {
+        detections: moved(|p| Point2::new(-p.x, p.y)),
+        hidden: Region::default(),
+    };
+    let mut felt = interpret(&samples, &task, &known, &collected, &config).unwrap();
+    felt.observe(&ObservationUpdate {
+        sight: camera(0.98),
+        ..update(&task, &collected, &seen)
+    });
+    assert!(felt.performance.low < 0.5, "{:?}", felt.performance);
     // Errors of the camera, a third of the dirt missed, as many false alarms, and a wiped board.
     let mut noisy = moved(|p| p + Vector2::new(1.5e-3 * (900.0 * p.y).sin(), 1.5e-3));
     assert_eq!(doubt(&known, noisy.clone()), None);

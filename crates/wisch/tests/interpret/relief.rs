@@ -308,6 +308,7 @@ fn two_curvatures_an_arc_and_a_crease_are_named() {
 #[test]
 fn contacts_on_no_plane_do_not_tilt_the_surface() {
     let board = task(80, STEEP).surface;
+    let mut shifted = 0;
     for curvature in [-0.8, -0.5, -0.25, 0.25, 0.5, 0.8] {
         for leans in [false, true] {
             let relief = Relief::Cylinder {
@@ -323,9 +324,12 @@ fn contacts_on_no_plane_do_not_tilt_the_surface() {
                 Doubt::HeightOnly { height } => Some(*height),
                 _ => None,
             });
+            let is_scattered = (found.doubts.iter()).any(|d| matches!(d, Doubt::Scattered { .. }));
+            assert_eq!(shift.is_some(), is_scattered, "{:?}", found.doubts);
             let Some(shift) = shift else {
-                panic!("{curvature} {leans}: {:?}", found.doubts);
+                continue;
             };
+            shifted += 1;
             let pose = match found.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => world_from_surface,
                 _ => board.world_from_surface,
@@ -342,6 +346,7 @@ fn contacts_on_no_plane_do_not_tilt_the_surface() {
             assert!(moved.translation.vector.z == 0.0 || moved.translation.vector.z == shift);
         }
     }
+    assert!(shifted >= 4, "{shifted}");
 }
 
 /// Reads a log over a surface that is believed to be rolled onto a cylinder with its axis along y.
