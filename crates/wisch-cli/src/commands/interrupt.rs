@@ -5,7 +5,7 @@ use crate::progress::Progress;
 use crate::terminal::{hold_back, print_error, remark};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag::{register, register_conditional_shutdown};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
@@ -202,31 +202,54 @@ static PART: Mutex<Option<CommandPart>> = Mutex::new(None);
 
 /// A part of a command, such as a step of a goal or a patch of a surface.
 #[derive(Debug)]
-pub struct CommandPart {
+struct CommandPart {
     /// Name of the part, such as `step 5`.
-    pub name: String,
-    /// Folder of the results of earlier parts, if there are any.
-    pub earlier: Option<PathBuf>,
+    name: String,
+    /// Folder of the results of all parts.
+    out: PathBuf,
+    /// Folder of this part's results, unless it exists from an earlier run.
+    folder: Option<PathBuf>,
+    /// Whether `out` has results of earlier parts.
+    has_earlier: bool,
 }
 
-/// Lets a signal print which part of the command it ends, and where the results of earlier parts are.
-pub fn say_which_part(part: CommandPart) {
-    *PART.lock().unwrap_or_else(PoisonError::into_inner) = Some(part);
+/// Lets a signal print which part of the command it ends, and where the results of the finished parts are.
+///
+/// # Parameters
+/// - `name`: name of the part, such as `step 5`.
+/// - `out`: folder of the results of all parts; `folder`: that of this part.
+/// - `has_earlier`: whether `out` has results of earlier parts.
+pub fn say_which_part(name: String, out: &Path, folder: &Path, has_earlier: bool) {
+    *PART.lock().unwrap_or_else(PoisonError::into_inner) = Some(CommandPart {
+        name,
+        out: out.to_owned(),
+        folder: (!folder.exists()).then(|| folder.to_owned()),
+        has_earlier,
+    });
+}
+
+impl CommandPart {
+    fn interruption(&self) -> Failure {
+        let Self { name, out, .. } = self;
+        let is_finished = (self.folder.as_ref()).is_some_and(|folder| folder.exists());
+        let what = match (is_finished, self.has_earlier) {
+            (true, _) => format!("interrupted after {name}"),
+            (false, true) => format!("interrupted during {name}; its results are not kept"),
+            (false, false) => {
+                return Failure::new(format!("interrupted during {name}; nothing is kept"));
+            }
+        };
+        Failure::new(what).with_help(format!(
+            "the results of what is finished are in {}; they cannot be resumed",
+            out.display()
+        ))
+    }
 }
 
 fn interruption(kept: usize) -> Failure {
     let part = PART.lock().unwrap_or_else(PoisonError::into_inner).take();
-    if let Some(CommandPart { name, earlier }) = part {
-        return match earlier {
-            None => Failure::new(format!("interrupted during {name}; nothing is kept")),
-            Some(folder) => Failure::new(format!(
-                "interrupted during {name}; its results are not kept"
-            ))
-            .with_help(format!(
-                "the results of what was finished before it are in {}; they cannot be resumed",
-                folder.display()
-            )),
-        };
+    if let Some(part) = part {
+        return part.interruption();
     }
     if kept == 0 {
         return Failure::new("interrupted during the first round; nothing is kept");

@@ -2,7 +2,7 @@
 
 use super::extent::{Extent, choose_robot, find_single_option};
 use super::goal::{GoalEpisode, GoalRun, GoalSummary, GoalTask, read_goal, read_step_number};
-use super::interrupt::{CommandPart, is_stop_requested, say_which_part};
+use super::interrupt::{is_stop_requested, say_which_part};
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::stage_failure;
@@ -263,15 +263,14 @@ fn work_on_patches(
     let (mut summaries, mut are_met) = (Vec::new(), true);
     let mut broken = None;
     for (task_args, number) in tasks.iter().zip(1..) {
+        let folder = out.join(format!("patch-{number}"));
+        let name = format!("patch {number} of {count}");
+        say_which_part(name, &out, &folder, !summaries.is_empty());
         let of_patch = ResultArgs {
-            out: Some(out.join(format!("patch-{number}"))),
+            out: Some(folder),
             force: results.force,
             json: results.json,
         };
-        say_which_part(CommandPart {
-            name: format!("patch {number} of {count}"),
-            earlier: (!summaries.is_empty()).then(|| out.clone()),
-        });
         let done = match wipe_surface(task_args, &of_patch, None, extent, global, &|_| Ok(())) {
             Ok(done) => done,
             Err(failure) => {

@@ -1,6 +1,6 @@
 //! Executes the steps of a goal in the order of least expected time, and plans anew when a step fails.
 
-use super::super::interrupt::{CommandPart, say_which_part};
+use super::super::interrupt::say_which_part;
 use super::super::swept::SweptSurface;
 use super::super::wipe::SurfaceOutcome;
 use super::super::words::{internal, percent};
@@ -117,14 +117,12 @@ impl<'a> GoalRun<'a> {
             let (number, tries) = (self.steps.len() + 1, *self.tries.get(&wiping).unwrap_or(&0));
             let name = format!("step-{number}");
             let is_first = self.steps.iter().all(|step| step.summary.is_none());
-            say_which_part(CommandPart {
-                name: format!("step {number}"),
-                earlier: (!is_first).then(|| self.out.clone()),
-            });
+            let folder = self.out.join(&name);
+            say_which_part(format!("step {number}"), &self.out, &folder, !is_first);
             let args = self
                 .task
                 .part(&self.situation, &wiping, &self.remaining(&wiping))?;
-            let wiped = match wipe(&args, &self.out.join(&name)) {
+            let wiped = match wipe(&args, &folder) {
                 Ok(wiped) => wiped,
                 Err(failure) => {
                     let failure = failure.after(&format!("step {number}, {wiping}"));
