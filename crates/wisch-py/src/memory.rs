@@ -259,7 +259,7 @@ impl PyMemory {
                 truth: None,
             });
         }
-        let first_observation = session.first_observation(py)?;
+        let first_observation = session.read_first_observation(py)?;
         let (loaded, files) = (&session.task, session.robot_files());
         let episode = sink.commit(&finished, first_observation, loaded, files, None, PROGRAM);
         let episode = episode.map_err(refused)?;

@@ -298,7 +298,7 @@ impl PySession {
     }
 
     /// Observation before the first round; `None` without a camera.
-    pub fn first_observation(&self, py: Python<'_>) -> PyResult<Option<Observation>> {
+    pub fn read_first_observation(&self, py: Python<'_>) -> PyResult<Option<Observation>> {
         self.read(py, |session| Ok(session.first_observation().cloned()))
     }
 
