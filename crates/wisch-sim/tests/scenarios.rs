@@ -108,6 +108,22 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
     felt.map(|event| [event.start, event.end]).collect()
 }
 
+/// Begin and end of each collision that is detected in the first round of a task, with the humanoid \[s\].
+fn collisions_of_first_round(loaded: &LoadedTask) -> Vec<[f64; 2]> {
+    let surface = WorkSurface::from_task(&loaded.task);
+    let mut world = World::new(&surface, settings(loaded), loaded.task.seed).unwrap();
+    let robot = humanoid();
+    let config = RunConfig {
+        max_rounds: 1,
+        ..run_config(loaded)
+    };
+    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
+    let mut session = session.with_robot(robot.robot_setup());
+    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    all.unwrap();
+    collisions(&session.rounds()[0])
+}
+
 /// A test of pushes and of their interpretation, with dirt at its believed locations.
 #[test]
 fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
@@ -173,18 +189,7 @@ fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
 #[test]
 fn a_hand_that_lifts_the_tool_is_no_soft_contact() {
     let loaded = load_task(&scenario("failure-human-push"), &LoadOptions::default()).unwrap();
-    let surface = WorkSurface::from_task(&loaded.task);
-    let mut world = World::new(&surface, settings(&loaded), loaded.task.seed).unwrap();
-    let robot = humanoid();
-    let config = RunConfig {
-        max_rounds: 1,
-        ..run_config(&loaded)
-    };
-    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
-    let mut session = session.with_robot(robot.robot_setup());
-    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
-    all.unwrap();
-    let felt = collisions(&session.rounds()[0]);
+    let felt = collisions_of_first_round(&loaded);
     assert_eq!(felt.len(), 2, "{felt:?}");
 }
 
@@ -216,19 +221,7 @@ fn a_tool_that_slides_over_a_saddle_is_not_pushed() {
     fs::write(folder.join("saddle.toml"), task).unwrap();
     let path = folder.join("saddle.toml");
     let loaded = load_task(&path, &LoadOptions::default()).unwrap();
-    let surface = WorkSurface::from_task(&loaded.task);
-    let mut world = World::new(&surface, settings(&loaded), loaded.task.seed).unwrap();
-    let robot = loaded.robot().unwrap().expect("the task has a robot");
-    let config = RunConfig {
-        max_rounds: 1,
-        ..run_config(&loaded)
-    };
-    let session = Session::new(&loaded.task, config).with_belief(loaded.belief());
-    let mut session = session.with_robot(robot.robot_setup());
-    let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
-    all.unwrap();
-    let round = &session.rounds()[0];
-    assert_eq!(collisions(round), [] as [[f64; 2]; 0]);
+    assert_eq!(collisions_of_first_round(&loaded), [] as [[f64; 2]; 0]);
 }
 
 #[test]
