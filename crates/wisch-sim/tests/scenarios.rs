@@ -109,7 +109,7 @@ fn collisions(round: &Round) -> Vec<[f64; 2]> {
 }
 
 /// Begin and end of each collision that is detected in the first round of a task, with the humanoid \[s\].
-fn collisions_of_first_round(loaded: &LoadedTask) -> Vec<[f64; 2]> {
+fn first_round(loaded: &LoadedTask) -> Round {
     let surface = WorkSurface::from_task(&loaded.task);
     let mut world = World::new(&surface, settings(loaded), loaded.task.seed).unwrap();
     let robot = humanoid();
@@ -121,7 +121,7 @@ fn collisions_of_first_round(loaded: &LoadedTask) -> Vec<[f64; 2]> {
     let mut session = session.with_robot(robot.robot_setup());
     let all = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
     all.unwrap();
-    collisions(&session.rounds()[0])
+    session.rounds()[0].clone()
 }
 
 /// A test of pushes and of their interpretation, with dirt at its believed locations.
@@ -189,14 +189,14 @@ fn pushes_are_detected_in_time_and_missed_places_are_wiped_again() {
 #[test]
 fn a_hand_that_lifts_the_tool_is_no_soft_contact() {
     let loaded = load_task(&scenario("failure-human-push"), &LoadOptions::default()).unwrap();
-    let felt = collisions_of_first_round(&loaded);
+    let felt = collisions(&first_round(&loaded));
     assert_eq!(felt.len(), 2, "{felt:?}");
 }
 
-/// The slab under a saddle has more corners than one solid of the engine may have, so it is divided into triangles.
-#[test]
-fn a_tool_that_slides_over_a_saddle_is_not_pushed() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+/// A task that polishes a part, whose surface is flat, or the saddle.
+fn polishing(name: &str, shape: &str, push: &str) -> LoadedTask {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(&folder).unwrap();
     let mesh = wisch_testkit::curved_meshes::saddle();
     let mut text = String::new();
     for v in mesh.vertices() {
@@ -206,22 +206,47 @@ fn a_tool_that_slides_over_a_saddle_is_not_pushed() {
         text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
     }
     fs::write(folder.join("saddle.obj"), text).unwrap();
-    let task = r#"
+    let task = format!(
+        r#"
         schema = 1
-        name = "saddle"
+        name = "{name}"
         seed = 1000
         action = "polish"
-        tool = { name = "sponge" }
-        medium = { name = "polishing_paste" }
-        particles = { source = "surface", count = 400 }
-        surface = { name = "part", friction = 0.3, mesh = { file = "saddle.obj" }, position_m = [0, 0, 0.85] }
-        polish = { passes = 1, max_passes = 4 }
-        robot = { name = "humanoid", position_m = [0, -1.1, 0], rpy_rad = [0, 0, 1.5707963267948966] }
-    "#;
-    fs::write(folder.join("saddle.toml"), task).unwrap();
-    let path = folder.join("saddle.toml");
-    let loaded = load_task(&path, &LoadOptions::default()).unwrap();
-    assert_eq!(collisions_of_first_round(&loaded), [] as [[f64; 2]; 0]);
+        tool = {{ name = "sponge" }}
+        medium = {{ name = "polishing_paste" }}
+        particles = {{ source = "surface", count = 400 }}
+        surface = {{ name = "part", friction = 0.3, {shape}, position_m = [0, 0, 0.85] }}
+        polish = {{ passes = 1, max_passes = 4 }}
+        robot = {{ name = "humanoid", position_m = [0, -1.1, 0], rpy_rad = [0, 0, 1.5707963267948966] }}
+        execution = {{ push = [{push}] }}
+        "#
+    );
+    let path = folder.join("task.toml");
+    fs::write(&path, task).unwrap();
+    load_task(&path, &LoadOptions::default()).unwrap()
+}
+
+const SADDLE: &str = r#"mesh = { file = "saddle.obj" }"#;
+
+/// The slab under a saddle has more corners than one solid of the engine may have, so it is divided into triangles.
+#[test]
+fn a_tool_that_slides_over_a_saddle_is_not_pushed() {
+    let round = first_round(&polishing("saddle", SADDLE, ""));
+    assert_eq!(collisions(&round), [] as [[f64; 2]; 0]);
+}
+
+/// The hand lifts the tool as gently as a surface would rise, with the force of wiping.
+#[test]
+fn a_tool_that_is_lifted_gently_shows_no_other_surface() {
+    let push =
+        "{ start_s = 8.0, duration_s = 1.0, force_n = [0, 0, 25], hand_speed_m_per_s = 0.1 }";
+    let flat = "size_m = [0.40, 0.30]";
+    for (name, shape) in [("flat-lifted", flat), ("saddle-lifted", SADDLE)] {
+        let round = first_round(&polishing(name, shape, push));
+        let doubts = &round.interpretation.doubts;
+        assert_eq!(doubts, &[], "{name}");
+        assert_eq!(collisions(&round).len(), 1, "{name}");
+    }
 }
 
 #[test]

@@ -7,8 +7,9 @@ use super::contact::{
 };
 use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
-use crate::geometry::Point3;
+use crate::geometry::{Point3, Vector3};
 use crate::represent::Surface;
+use std::ops::Range;
 
 /// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
@@ -31,6 +32,10 @@ const STEADY: std::ops::RangeInclusive<f64> = 0.85..=1.15;
 const STEEPEST: f64 = 0.25;
 /// Least share of its pieces that are off the plane where a tool slides off it [1].
 const MOSTLY: f64 = 0.5;
+/// Least friction over the normal force on the plane that is compared [1], and least part of it off the plane that a surface
+/// gives [1].
+const LEAST_DRAG: f64 = 0.1;
+const LEAST_DRAG_SHARE: f64 = 0.5;
 /// Least share of all steady sliding [1], and least travel [m], off the plane that shows a surface that is no plane.
 const LEAST_STEADY_OFF: f64 = 0.1;
 const LEAST_STEADY_TRAVEL: f64 = 0.04;
@@ -64,6 +69,38 @@ const LEAST_LOAD: f64 = 0.2;
 const VERTICAL: f64 = 0.95;
 /// Standard gravity [m/s²].
 const GRAVITY: f64 = 9.80665;
+
+/// A part of the path over which the tool slid and pressed all the time.
+struct SteadySlide {
+    /// Numbers of its pieces in the log.
+    pieces: Range<usize>,
+    /// Length of its path along the surface [m].
+    travel: f64,
+    /// Mean normal force on the tool [N].
+    force: f64,
+    /// Friction over the normal force, on average [1].
+    drag: f64,
+    /// Height of its end over its beginning [m].
+    rise: f64,
+    /// Largest distance from the plane [m].
+    highest: f64,
+    /// Share of its pieces that are off the plane [1].
+    share_off_plane: f64,
+}
+
+/// Returns the least friction over the normal force of a tool that slides on a surface, if it has that of these slides on the
+/// plane [1]; negative infinity if they show no friction.
+fn least_drag(on_plane: &[SteadySlide]) -> f64 {
+    let travel: f64 = on_plane.iter().map(|slide| slide.travel).sum();
+    let dragged: f64 = (on_plane.iter())
+        .map(|slide| slide.drag * slide.travel)
+        .sum();
+    if dragged >= LEAST_DRAG * travel && travel > 0.0 {
+        LEAST_DRAG_SHARE * dragged / travel
+    } else {
+        f64::NEG_INFINITY
+    }
+}
 
 /// Contents of a log from which its doubts are derived.
 pub(super) struct LogEvidence<'a> {
@@ -287,8 +324,12 @@ impl LogEvidence<'_> {
     /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
         let moved = (self.classified.registration.as_ref()).map(|fit| self.moved_pieces(fit));
-        let pieces = moved.as_deref().unwrap_or(self.pieces);
-        let shape = ContactShape::of(pieces, self.surface, self.config);
+        let mut pieces = moved.unwrap_or_else(|| self.pieces.to_vec());
+        // Where a hand carries the tool, it shows no shape.
+        for slide in self.slides_without_friction().iter().rev() {
+            pieces.drain(slide.pieces.clone());
+        }
+        let shape = ContactShape::of(&pieces, self.surface, self.config);
         if !self.surface.shape.is_plane() {
             let off = shape.map(|(_, off)| off);
             let doubt = off.map(|off| Doubt::OffShape { off });
@@ -333,18 +374,58 @@ impl LogEvidence<'_> {
         moved.collect()
     }
 
-    /// Returns a doubt if the tool slid off the plane with the force with which it slides on it: a hand that pushes gives
-    /// no such force for long.
+    /// Returns a doubt if the tool slid off the plane with the force and the friction with which it slides on it: a hand that
+    /// pushes gives no such force for long, and a tool that it lifts has no friction.
     fn find_steady_contact_off_plane(&self) -> Option<Doubt> {
         self.classified.plane.as_ref()?;
+        let nominal = self.config.nominal_force();
+        let (off, on): (Vec<_>, Vec<_>) =
+            (self.steady_slides().into_iter()).partition(|slide| slide.share_off_plane >= MOSTLY);
+        let travel_on: f64 = on.iter().map(|slide| slide.travel).sum();
+        let least_drag = least_drag(&on);
+        // A hand lifts the tool steeply or far, with the force that the controller keeps.
+        let is_lifted = |slide: &SteadySlide| {
+            let is_steep = slide.rise.abs() > STEEPEST * slide.travel;
+            is_steep || slide.highest > MOST_SPREAD || slide.drag < least_drag
+        };
+        let off = (off.iter()).filter(|slide| STEADY.contains(&(slide.force / nominal)));
+        let off: Vec<&SteadySlide> = off.filter(|slide| !is_lifted(slide)).collect();
+        let travel_off: f64 = off.iter().map(|slide| slide.travel).sum();
+        let least = (LEAST_STEADY_OFF * (travel_on + travel_off)).max(LEAST_STEADY_TRAVEL);
+        if off.is_empty() || travel_off < least {
+            return None;
+        }
+        let path = &self.classified.path;
+        let mut distances: Vec<f64> = (off.iter())
+            .flat_map(|slide| slide.pieces.clone())
+            .map(|i| path[i].height.abs())
+            .collect();
+        distances.sort_unstable_by(f64::total_cmp);
+        let off = distances[(distances.len() - 1) * 9 / 10];
+        Some(if self.surface.shape.is_plane() {
+            Doubt::NotPlanar { off }
+        } else {
+            Doubt::OffShape { off }
+        })
+    }
+
+    /// Returns the slides off the plane on which the tool had not the friction that it has on the plane.
+    fn slides_without_friction(&self) -> Vec<SteadySlide> {
+        let (off, on): (Vec<_>, Vec<_>) =
+            (self.steady_slides().into_iter()).partition(|slide| slide.share_off_plane >= MOSTLY);
+        let least = least_drag(&on);
+        off.into_iter().filter(|slide| slide.drag < least).collect()
+    }
+
+    /// Divides the path into pieces of a given travel over which the tool pressed all the time.
+    fn steady_slides(&self) -> Vec<SteadySlide> {
         let path = &self.classified.path;
         let nominal = self.config.nominal_force();
         let is_pressed = |i: &usize| {
             self.pieces[*i].force.z >= LEAST_PRESSED * nominal
                 && is_inland(path[*i].position.xy(), self.surface, self.config)
         };
-        let [mut on, mut off] = [0.0; 2];
-        let mut distances: Vec<f64> = Vec::new();
+        let mut slides = Vec::new();
         let mut first = 0;
         while first < path.len() {
             let pressed = (first..path.len()).take_while(is_pressed);
@@ -357,39 +438,35 @@ impl LogEvidence<'_> {
                     break;
                 }
             }
-            let window = first..=last;
+            if travel >= STEADY_TRAVEL {
+                slides.push(self.describe_slide(first..last + 1, travel));
+            }
             first = last + 1;
-            if travel < STEADY_TRAVEL {
-                continue;
-            }
-            let count = window.clone().count() as f64;
-            let mean = window.clone().map(|i| self.pieces[i].force.z).sum::<f64>() / count;
-            // A hand lifts the tool steeply or far, with the force that the controller keeps.
-            let rise = (path[last].height - path[*window.start()].height).abs();
-            let highest = window
-                .clone()
-                .map(|i| path[i].height.abs())
-                .fold(0.0, f64::max);
-            let is_lifted = rise > STEEPEST * travel || highest > MOST_SPREAD;
-            let is_off = |i: &usize| !path[*i].is_on_plane();
-            if (window.clone().filter(is_off).count() as f64) < MOSTLY * count {
-                on += travel;
-            } else if STEADY.contains(&(mean / nominal)) && !is_lifted {
-                off += travel;
-                distances.extend(window.map(|i| path[i].height.abs()));
-            }
         }
-        let least = (LEAST_STEADY_OFF * (on + off)).max(LEAST_STEADY_TRAVEL);
-        if distances.is_empty() || off < least {
-            return None;
+        slides
+    }
+
+    fn describe_slide(&self, pieces: Range<usize>, travel: f64) -> SteadySlide {
+        let path = &self.classified.path;
+        let [first, last] = [&path[pieces.start], &path[pieces.end - 1]];
+        let count = pieces.len() as f64;
+        let force: Vector3 = pieces.clone().map(|i| self.pieces[i].force).sum();
+        let force = force / count;
+        let rise = last.height - first.height;
+        let way = (last.position - first.position).xy();
+        let along = way.try_normalize(1e-9).unwrap_or_default();
+        let heights = pieces.clone().map(|i| path[i].height.abs());
+        let is_off = |i: &usize| !path[*i].is_on_plane();
+        SteadySlide {
+            travel,
+            force: force.z,
+            // A surface that rises pushes the tool back, without friction.
+            drag: -force.xy().dot(&along) / force.z - rise / travel,
+            rise,
+            highest: heights.fold(0.0, f64::max),
+            share_off_plane: pieces.clone().filter(is_off).count() as f64 / count,
+            pieces,
         }
-        distances.sort_unstable_by(f64::total_cmp);
-        let off = distances[(distances.len() - 1) * 9 / 10];
-        Some(if self.surface.shape.is_plane() {
-            Doubt::NotPlanar { off }
-        } else {
-            Doubt::OffShape { off }
-        })
     }
 
     /// Returns the assumptions made where the forces are not as declared.

@@ -12,6 +12,9 @@ const SETTLED: f64 = 0.15;
 const FEWEST: usize = 5;
 /// Largest difference of the medians of two free motions over the largest noise and the root of their number of pieces [1].
 const NOISE_OF_MEDIANS: f64 = 2.0;
+/// Least change of the bias over the change of the force within one of the two free motions [1]. A hand that touches the tool
+/// in the air does not hold its force as constant as a bias is.
+const MORE_THAN_WITHIN: f64 = 2.0;
 
 /// A change of the bias between two free motions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +32,8 @@ pub(in crate::interpret) struct BiasChange {
 struct Level {
     bias: Vector3,
     noise: f64,
+    /// Largest difference of the forces of two thirds of the motion [N].
+    variation: f64,
     count: usize,
     time: f64,
 }
@@ -56,7 +61,8 @@ pub(super) fn find_bias_change(
         let size = (after.bias - before.bias).norm();
         let count = before.count.min(after.count) as f64;
         let least = NOISE_OF_MEDIANS * before.noise.max(after.noise) / count.sqrt();
-        (size > least).then_some(BiasChange {
+        let within = MORE_THAN_WITHIN * before.variation.max(after.variation);
+        (size > least.max(within)).then_some(BiasChange {
             size,
             times: [before.time, after.time],
             persists: remaining > size / 2.0,
@@ -79,6 +85,7 @@ fn levels(
         Level {
             bias,
             noise,
+            variation: variation_within(pieces, motion, axes),
             count: motion.len(),
             time: middle(&pieces[motion[motion.len() / 2]]),
         }
@@ -88,15 +95,28 @@ fn levels(
         return levels;
     };
     let inner = levels.windows(3).map(|three| Level {
-        bias: Vector3::from_fn(|row, _| {
-            let [a, b, c] = [0, 1, 2].map(|k| three[k].bias[row]);
-            a.max(b).min(a.min(b).max(c))
-        }),
+        bias: Vector3::from_fn(|row, _| median_of_three([0, 1, 2].map(|k| three[k].bias[row]))),
         noise: three.iter().map(|level| level.noise).fold(0.0, f64::max),
+        // One of the three, which a hand may have touched, does not change the median.
+        variation: median_of_three([0, 1, 2].map(|k| three[k].variation)),
         count: three.iter().map(|level| level.count).min().unwrap_or(0),
         time: three[1].time,
     });
     std::iter::once(first).chain(inner).chain([last]).collect()
+}
+
+fn median_of_three([a, b, c]: [f64; 3]) -> f64 {
+    a.max(b).min(a.min(b).max(c))
+}
+
+/// Returns the largest difference of the median forces of the thirds of a free motion [N].
+fn variation_within(pieces: &[MeasuredPiece], motion: &[usize], axes: SensorAxes) -> f64 {
+    let thirds = motion.chunks(motion.len().div_ceil(3));
+    let forces: Vec<Vector3> = thirds
+        .map(|third| bias_and_noise(pieces, third, axes).0)
+        .collect();
+    let differences = (forces.iter()).flat_map(|a| forces.iter().map(move |b| (a - b).norm()));
+    differences.fold(0.0, f64::max)
 }
 
 /// Returns the pieces of each free motion that are not close to a contact in time.
