@@ -27,7 +27,9 @@ use wisch_io::{
 use wisch_memory::Episode;
 
 /// First line of a file that `wisch learn` has written and may overwrite.
-const HEADER: &str = "# Interactions as `wisch learn` has them";
+const HEADER: &str = "# Interactions fitted by `wisch learn`";
+/// The same in versions up to 0.2.0.
+const EARLIER_HEADER: &str = "# Interactions as `wisch learn` has them";
 
 /// The observed rounds of one law.
 struct Evidence {
@@ -520,13 +522,19 @@ fn read_observed_rounds(
 /// Refuses to overwrite a file that `wisch learn` has not written, such as a file of the knowledge base.
 fn check_overwritable(out: &Path) -> Result<(), Failure> {
     match std::fs::read(out) {
-        Ok(bytes) if !bytes.starts_with(HEADER.as_bytes()) => Err(Failure::new(format!(
-            "{}: the file exists and was not written by `wisch learn`",
-            out.display()
-        ))
-        .with_help(
-            "choose another file with --out; --diff shows what changes in the knowledge base",
-        )),
+        Ok(bytes)
+            if ![HEADER, EARLIER_HEADER]
+                .iter()
+                .any(|header| bytes.starts_with(header.as_bytes())) =>
+        {
+            Err(Failure::new(format!(
+                "{}: the file exists and was not written by `wisch learn`",
+                out.display()
+            ))
+            .with_help(
+                "choose another file with --out; --diff shows what changes in the knowledge base",
+            ))
+        }
         _ => Ok(()),
     }
 }
