@@ -239,7 +239,7 @@ impl GoalSummary {
         text
     }
 
-    /// Returns a time that was needed, beside the expected one [s]; that alone where there is no other.
+    /// Formats the time that was needed and the expected time [s]; without execution, the expected time alone.
     fn times(&self, took: f64, expected: f64) -> String {
         if !self.is_executed && took == expected {
             format!("{expected:.1} s expected")
