@@ -5,13 +5,13 @@ mod rounds;
 
 use super::interpret::ELSEWHERE_M;
 use super::prepare;
-use super::words::counted;
+use super::words::format_count;
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json, remark};
-use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
-use rounds::{KnownRounds, RecordedRound, Recording, learned_nothing, recordings};
+use record::{FORMAT, LearnRecord, SCHEMA, exponentiate_interval, in_words, law_record};
+use rounds::{KnownRounds, RecordedRound, Recording, list_recordings, no_law_failure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
@@ -49,7 +49,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let source = KnowledgeSource::new(args.knowledge.as_deref());
     let knowledge = source.base()?;
     let mut tasks = Tasks::read(args)?;
-    let (recordings, left_out) = recordings(args, &mut tasks, &progress)?;
+    let (recordings, left_out) = list_recordings(args, &mut tasks, &progress)?;
     let file = if args.diff {
         None
     } else {
@@ -57,11 +57,11 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         check_overwritable(&args.out)?;
         Some(OutputFile::begin(&args.out)?)
     };
-    let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
+    let lessons = collect_evidence(&recordings, &mut tasks, &knowledge, &progress)?;
     if lessons.is_empty() {
-        return Err(learned_nothing(recordings.len() + left_out));
+        return Err(no_law_failure(recordings.len() + left_out));
     }
-    progress.say(format!("fitting {}", counted(lessons.len(), "law")));
+    progress.say(format!("fitting {}", format_count(lessons.len(), "law")));
     let given: Vec<LawObservations<'_>> = (lessons.iter())
         .map(|evidence| LawObservations {
             interaction: &evidence.interaction,
@@ -82,7 +82,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         .collect();
     let revised = source.revise_knowledge(&revisions)?;
     if let Some(file) = file {
-        file.finish(entries(&revised).as_bytes())?;
+        file.finish(format_entries(&revised).as_bytes())?;
     }
     drop(progress);
 
@@ -213,7 +213,7 @@ impl Tasks {
 
 /// Collects the observed rounds of each law. An episode that the command line does not name is left out with a note if its law
 /// cannot be learned.
-fn evidence(
+fn collect_evidence(
     recordings: &[Recording],
     tasks: &mut Tasks,
     knowledge: &KnowledgeBase,
@@ -329,7 +329,7 @@ impl<'b> EvidenceReader<'_, 'b> {
         for (key, mut rounds) in rounds {
             let prepared = &self.tasks.known[&key];
             rounds.sort_by_key(|round| round.number);
-            let interaction = known_interaction(prepared, self.knowledge, &rounds[0].place)?;
+            let interaction = find_interaction(prepared, self.knowledge, &rounds[0].place)?;
             for round in &rounds {
                 check_force(prepared, round)?;
             }
@@ -369,7 +369,7 @@ fn check_force(prepared: &LoadedTask, round: &RecordedRound) -> Result<(), Failu
 /// # Errors
 /// If the task treats the surface, if the knowledge base has no such interaction, or if the task has used the tool with
 /// another force, compression depth or gap.
-fn known_interaction(
+fn find_interaction(
     prepared: &LoadedTask,
     knowledge: &KnowledgeBase,
     place: &Path,
@@ -459,7 +459,7 @@ fn read_observed_rounds(
                 remark(&format!(
                     "{}: of {} before it, {} given; the exposure of the dirt in the missing rounds is unknown",
                     round.place.display(),
-                    counted(number - 1, "round"),
+                    format_count(number - 1, "round"),
                     felt.len()
                 ));
             });
@@ -474,7 +474,7 @@ fn read_observed_rounds(
                 remark(&format!(
                     "{}: the wrench of {} is not usable by its quality, and is left out",
                     round.place.display(),
-                    counted(count, "sample")
+                    format_count(count, "sample")
                 ));
             });
         }
@@ -540,7 +540,7 @@ fn check_overwritable(out: &Path) -> Result<(), Failure> {
 }
 
 /// Formats the learned interactions as a file.
-fn entries(revised: &[RevisedFile]) -> String {
+fn format_entries(revised: &[RevisedFile]) -> String {
     let mut text = format!(
         "{HEADER}; each replaces its entry in the knowledge base.\n# `wisch learn --diff` prints the changes; `patch -p1` in the folder applies them.\nschema = 1\n"
     );
@@ -554,15 +554,15 @@ fn entries(revised: &[RevisedFile]) -> String {
 /// Describes the data from which a law was learned, as comment lines.
 fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
     let [mu_low, mu_high] = law.mu.interval;
-    let [sigma_low, sigma_high] = exp(&law.ln_sigma);
-    let [length_low, length_high] = exp(&law.ln_redraw_length);
+    let [sigma_low, sigma_high] = exponentiate_interval(&law.ln_sigma);
+    let [length_low, length_high] = exponentiate_interval(&law.ln_redraw_length);
     let before = &evidence.interaction.likelihood;
     vec![
         format!(
             "from {} of {} with {} that were wiped and observed",
-            counted(law.rounds, "round"),
-            counted(evidence.runs.len(), "run"),
-            counted(law.particles, "particle")
+            format_count(law.rounds, "round"),
+            format_count(evidence.runs.len(), "run"),
+            format_count(law.particles, "particle")
         ),
         format!(
             "with 90 % probability mu is {mu_low:.3} to {mu_high:.3}, sigma {sigma_low:.3} to {sigma_high:.3}, redraw_length_m {length_low:.3} to {length_high:.3}"
