@@ -157,7 +157,7 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
     }
     for (row, count) in [
         ("detections at collisions with objects", pushes.obstructed),
-        ("false detections", pushes.invented),
+        ("false detections", pushes.false_detections),
     ] {
         let figure = Figure::from_count(place(row), count);
         figures.push(figure.with_count(pushes.undisturbed, "rounds without a push"));
@@ -306,7 +306,11 @@ pub fn scenario_figures(all: &[ScenarioScores]) -> Vec<Figure> {
     for scores in all {
         let place = |column| ["scenarios", &*scores.scenario, column];
         let runs = scores.runs;
-        let moved = median(place("of the misplaced dirt, round 1"), scores.moved, runs);
+        let moved = median(
+            place("of the misplaced dirt, round 1"),
+            scores.recovered,
+            runs,
+        );
         let target = FIG_13.iter().find(|(name, _)| *name == scores.scenario);
         figures.extend([
             Figure::from_count(place("runs"), runs),
@@ -320,7 +324,12 @@ pub fn scenario_figures(all: &[ScenarioScores]) -> Vec<Figure> {
             Figure::from_count(place("goals claimed"), scores.claimed),
             Figure::from_count(place("false claims"), scores.false_claims)
                 .with_target([None, Some(0.0)], PROJECT),
-            share_of(place("90 % interval"), scores.held, scores.rounds, "rounds"),
+            share_of(
+                place("90 % interval"),
+                scores.covered,
+                scores.rounds,
+                "rounds",
+            ),
             points(
                 place("error"),
                 scores.error.unwrap_or(f64::NAN),

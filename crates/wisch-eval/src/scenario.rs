@@ -174,9 +174,11 @@ pub struct ScenarioScores {
     /// True performance after the last round.
     pub last: Option<Quartiles>,
     /// Share of the initially misplaced dirt that has reached the goal after the first round.
-    pub moved: Option<Quartiles>,
+    #[serde(rename = "moved")]
+    pub recovered: Option<Quartiles>,
     /// Number of rounds whose 90 % interval contains the true performance.
-    pub held: usize,
+    #[serde(rename = "held")]
+    pub covered: usize,
     /// Mean absolute error of the estimate; `None` without rounds.
     pub error: Option<f64>,
     /// Number of runs whose goal was met at the end.
@@ -202,12 +204,12 @@ impl ScenarioScores {
             rounds: rounds.len(),
             first: Quartiles::from_values(first.map(|round| round.outcome).collect()),
             last: Quartiles::from_values(runs.iter().map(ScenarioRun::final_performance).collect()),
-            moved: Quartiles::from_values(
+            recovered: Quartiles::from_values(
                 runs.iter()
                     .filter_map(|run| run.recovered_share(1))
                     .collect(),
             ),
-            held: (rounds.iter())
+            covered: (rounds.iter())
                 .filter(|round| round.belief.holds(LEVEL_90, round.outcome))
                 .count(),
             error: (!rounds.is_empty()).then(|| error.sum::<f64>() / rounds.len() as f64),

@@ -26,7 +26,7 @@ pub struct CalibrationLevel {
     /// Nominal probability of the interval \[1\].
     pub level: f64,
     /// Observed share of outcomes within the interval \[1\].
-    pub held: f64,
+    pub coverage: f64,
     /// The 95 % interval of that share \[1\].
     pub bounds: [f64; 2],
     /// Mean width of the interval \[1\].
@@ -54,7 +54,7 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
         (axes::below(level_ticks(RELIABILITY), BOTTOM, 18.0))
         (draw_diagonal(RELIABILITY))
         @for (curve, class) in with_class() {
-            (draw_curve(curve, class, RELIABILITY, |level| down(level.held)))
+            (draw_curve(curve, class, RELIABILITY, |level| down(level.coverage)))
             @for level in &curve.levels {
                 (draw_whisker(across(level.level, RELIABILITY), level.bounds))
             }
@@ -138,7 +138,7 @@ mod tests {
     fn a_drawing_has_a_line_and_its_whiskers_for_each_curve() {
         let level = |level: f64| CalibrationLevel {
             level,
-            held: level - 0.1,
+            coverage: level - 0.1,
             bounds: [level - 0.15, level],
             width: 0.2,
         };

@@ -133,7 +133,7 @@ fn in_words(record: &CalibrationRecord) -> String {
         pushes.ends,
         format_count(pushes.undisturbed, "round"),
         pushes.obstructed,
-        pushes.invented
+        pushes.false_detections
     );
     text
 }
@@ -201,7 +201,7 @@ fn draw_calibration(record: &CalibrationRecord) -> String {
         levels: (method.coverage.iter())
             .map(|level| CalibrationLevel {
                 level: level.level,
-                held: level.share,
+                coverage: level.share,
                 bounds: level.bounds,
                 width: level.width,
             })
