@@ -85,8 +85,11 @@ pub(crate) struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    /// Model of the camera, if the robot has one.
-    pub(crate) fn of(observation: Option<&'a Observation>, sight: Option<Sight>) -> Option<Self> {
+    /// Returns an observation with the model of its camera; `None` without an observation or a camera.
+    pub(crate) fn from_observation(
+        observation: Option<&'a Observation>,
+        sight: Option<Sight>,
+    ) -> Option<Self> {
         Some(Self {
             observation: observation?,
             sight: sight?,
@@ -122,7 +125,7 @@ impl<'a> VariantBelief<'a> {
     }
 
     /// Updates the belief with the measurements of a round and the observation after it.
-    pub(crate) fn after(
+    pub(crate) fn update_belief(
         &mut self,
         planned: &PlannedRound,
         felt: &[TouchSample],
