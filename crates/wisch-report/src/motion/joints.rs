@@ -85,7 +85,7 @@ pub(crate) fn panel(input: &MotionInput) -> Panel {
         .partition(JointHistory::moves);
     let rows = moving.len().min(MAX_ROWS);
     let bottom = TOP + ROW * rows as f64;
-    let still = still_lines(&still, moving.len() - rows);
+    let still = describe_still_joints(&still, moving.len() - rows);
     let height = bottom + 34.0 + 18.0 * still.len() as f64;
     let body = html! {
         (draw_contact(input, &times, bottom))
@@ -204,7 +204,7 @@ fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
         }
         (draw_limits(&positions, limits))
         rect class="axis" x=(px(POSITION)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
-        path class="course" d=(curve(times, &course.position, &positions)) {}
+        path class="course" d=(format_curve(times, &course.position, &positions)) {}
         (draw_forbidden_bands(&velocities, Some([-1.0, 1.0])))
         @for (value, label) in [(-1.0, "−100 %"), (0.0, "0"), (1.0, "100 %")] {
             @let y = velocities.down(value);
@@ -213,7 +213,7 @@ fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
         }
         @if joint.limits.velocity.is_some() { (draw_limits(&velocities, Some([-1.0, 1.0]))) }
         rect class="axis" x=(px(VELOCITY)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
-        path class="course" d=(curve(times, &relative, &velocities)) {}
+        path class="course" d=(format_curve(times, &relative, &velocities)) {}
     }
 }
 
@@ -286,7 +286,7 @@ fn draw_time_axis(times: &Times, left: f64, y: f64) -> Markup {
 }
 
 /// Returns lines with the names of joints that do not move, and the number of moving joints that are not drawn.
-fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
+fn describe_still_joints(still: &[JointHistory], left_out: usize) -> Vec<String> {
     const LONGEST: usize = 150;
     let mut lines = Vec::new();
     if left_out > 0 {
@@ -312,7 +312,7 @@ fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
 }
 
 /// Returns the simplified curve of values as an SVG path.
-fn curve(times: &Times, values: &[f64], axis: &Axis) -> String {
+fn format_curve(times: &Times, values: &[f64], axis: &Axis) -> String {
     let places: Vec<(f64, f64)> = (times.samples.iter().zip(values))
         .map(|(sample, &value)| (axis.left + times.across(sample.time), axis.down(value)))
         .collect();

@@ -89,12 +89,12 @@ impl Interpreted {
             events: (found.events.iter().filter(is_shown))
                 .map(EventRecord::new)
                 .collect(),
-            contacts: contacts(found),
+            contacts: list_contacts(found),
             incidents: find_incidents(round),
             particles: match places {
                 Some(_) => Vec::new(),
                 None => flat_remaining(
-                    typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
+                    find_typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
                         .unwrap_or(&motion.task.particles),
                 ),
             },
@@ -150,7 +150,7 @@ impl Truth {
 }
 
 /// Returns the belief's replay whose performance is nearest to the mean estimate, as a typical particle distribution.
-fn typical_replay<'a>(
+fn find_typical_replay<'a>(
     found: &'a Interpretation,
     goal: &GoalState,
     surface: &Surface,
@@ -164,7 +164,7 @@ fn typical_replay<'a>(
 }
 
 /// Returns the detected contacts [s], whose number the summary of the round states.
-fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
+fn list_contacts(found: &Interpretation) -> Vec<[f64; 2]> {
     let contacts = (found.events.iter()).filter(|event| event.kind == EventKind::Contact);
     contacts
         .map(|contact| [contact.start, contact.end].map(|time| round_to(time, 1e3)))

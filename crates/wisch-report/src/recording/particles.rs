@@ -41,7 +41,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
     let mut steps = Vec::new();
     for (i, moment) in moments.iter().enumerate() {
         let is_last = i + 1 == moments.len();
-        let places = moment.places.iter().map(flat);
+        let places = moment.places.iter().map(to_tenths);
         let mut wanted: BTreeMap<[i64; 2], usize> = BTreeMap::new();
         for place in places.filter(|place| is_shown(*place, one_in)) {
             *wanted.entry(place).or_default() += 1;
@@ -76,7 +76,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
 
 /// Returns the positions of particles on the surface, thinned.
 pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
-    let remaining = particles.remaining().map(|p| flat(&p));
+    let remaining = particles.remaining().map(|p| to_tenths(&p));
     let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
     let shown = remaining.filter(|place| is_shown(*place, one_in));
     shown.flatten().collect()
@@ -85,7 +85,7 @@ pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
 /// Returns positions, thinned.
 pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
     let one_in = places.len().div_ceil(MAX_SHOWN).max(1);
-    let places = places.map(|p| flat(&p));
+    let places = places.map(|p| to_tenths(&p));
     places
         .filter(|place| is_shown(*place, one_in))
         .flatten()
@@ -171,7 +171,7 @@ fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {
 
 /// Returns all points: x, y alternating, in tenths of a millimetre.
 pub(super) fn line<'a>(points: impl IntoIterator<Item = &'a Point2>) -> Vec<i64> {
-    points.into_iter().flat_map(flat).collect()
+    points.into_iter().flat_map(to_tenths).collect()
 }
 
 /// Whether a particle is among the shown ones, of which there is one in `one_in`. The choice depends only on its position, so
@@ -183,6 +183,6 @@ fn is_shown([x, y]: [i64; 2], one_in: usize) -> bool {
     (mixed.wrapping_mul(SPREAD) >> 32).is_multiple_of(one_in as u64)
 }
 
-fn flat(p: &Point2) -> [i64; 2] {
+fn to_tenths(p: &Point2) -> [i64; 2] {
     [tenth(p.x), tenth(p.y)]
 }

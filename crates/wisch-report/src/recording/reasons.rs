@@ -208,7 +208,7 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
             "The tool first covers a lane of about {swept} mm, of {least} to {widest} mm that its footprint allows"
         )
     };
-    match turn_against_plan(task, plan, stroke) {
+    match measure_turn_against_plan(task, plan, stroke) {
         Some(turn) if turn.abs() > TURNED => format!(
             "{lane}. The robot turns the tool by {} degrees against the plan.",
             metres(turn.to_degrees(), 0)
@@ -232,7 +232,7 @@ fn measure_sweep(task: &Task, direction: f64) -> f64 {
 
 /// Returns by how much a stroke is turned against the planned one at its first node [rad]. Half a turn of a symmetric
 /// contact area is none.
-fn turn_against_plan(task: &Task, plan: &Plan, stroke: &Stroke) -> Option<f64> {
+fn measure_turn_against_plan(task: &Task, plan: &Plan, stroke: &Stroke) -> Option<f64> {
     let node = *stroke.nodes.first()?;
     let planned = plan.strokes.iter().find_map(|planned| {
         let at = planned.nodes.iter().position(|&other| other == node)?;

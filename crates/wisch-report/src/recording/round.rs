@@ -132,7 +132,7 @@ impl RoundPiece {
     pub(super) fn logged(round: &LoggedRound<'_>, meshes: &mut Meshes, written: usize) -> Self {
         let scene = round
             .task
-            .map_or_else(Vec::new, |task| objects(task, meshes));
+            .map_or_else(Vec::new, |task| list_objects(task, meshes));
         let (phases, log) = logged::lanes(&round.occurrences);
         Self {
             piece: "round",
@@ -199,7 +199,7 @@ impl Shown<'_> {
             frames,
             ..
         } = self;
-        let scene = objects(task, meshes);
+        let scene = list_objects(task, meshes);
         let mut since = 0.0;
         let moments: Vec<(f64, usize)> = (frames.frames().iter().enumerate())
             .map(|(i, frame)| {
@@ -264,7 +264,7 @@ impl Shown<'_> {
 }
 
 /// Returns the scene of a task around robot and tool.
-fn objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
+fn list_objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
     let objects = task.scene.iter().filter_map(|object| {
         let part = match object.part {
             ScenePart::Obstacle => "obstacle",

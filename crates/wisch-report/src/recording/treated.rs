@@ -157,7 +157,7 @@ impl TreatedPlaces {
             band: self.band,
             cell: self.grid.cell.map(|side| round_to(side, 1e5)),
             places: line(&kept),
-            steps: steps_between(&moments.collect::<Vec<_>>()),
+            steps: list_steps_between(&moments.collect::<Vec<_>>()),
         }
     }
 
@@ -184,7 +184,7 @@ impl TreatedPlaces {
 }
 
 /// Returns the changes between moments: time [s] and the value of each place. The first step has all values.
-fn steps_between(moments: &[(f64, Vec<i64>)]) -> Vec<ValueStep> {
+fn list_steps_between(moments: &[(f64, Vec<i64>)]) -> Vec<ValueStep> {
     let mut now: Vec<i64> = Vec::new();
     let mut budget = MAX_CHANGES;
     let mut steps = Vec::new();
@@ -245,7 +245,7 @@ mod tests {
             })
             .collect();
         let mut now = vec![-1; 50];
-        let steps = steps_between(&moments);
+        let steps = list_steps_between(&moments);
         assert_eq!(steps.len(), moments.len());
         for ((time, changed, values), (then, expected)) in steps.iter().zip(&moments) {
             for (&place, &value) in changed.iter().zip(values) {
@@ -261,7 +261,7 @@ mod tests {
         let moments: Vec<(f64, Vec<i64>)> = (0..80)
             .map(|k| (f64::from(k), vec![i64::from(k); 6_000]))
             .collect();
-        let steps = steps_between(&moments);
+        let steps = list_steps_between(&moments);
         let changes: usize = steps.iter().map(|(_, changed, _)| changed.len()).sum();
         assert!(changes <= MAX_CHANGES + 6_000, "{changes}");
         assert_eq!(steps.last().map(|step| step.0), Some(79.0));

@@ -84,8 +84,8 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let path = reduce::drawable(found);
     let times = Times::new(&path);
     let press = input.task.interaction.press_force_n;
-    let forces = force_plot(&path, press);
-    let heights = height_plot(&path, forces.top + HEIGHT + BETWEEN);
+    let forces = build_force_plot(&path, press);
+    let heights = build_height_plot(&path, forces.top + HEIGHT + BETWEEN);
     let bottom = heights.top + HEIGHT;
     let pushes: Vec<_> = (round.pushes.iter())
         .filter_map(|&push| times.place(push))
@@ -116,7 +116,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         (draw_commanded_force(&forces, press))
         (draw_scale(&forces, 1.0))
         (draw_curves(&path, &times, &forces, |piece| piece.normal_force))
-        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height above " (reference) " [mm]" (cut_note(&path, &heights)) }
+        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height above " (reference) " [mm]" (draw_cut_note(&path, &heights)) }
         (draw_scale(&heights, MILLIMETRES))
         (draw_curves(&path, &times, &heights, |piece| piece.height))
         (lanes)
@@ -131,12 +131,12 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             height: bottom + below + 54.0,
             body,
         },
-        entries: entries(&path, &losses, &pushes),
+        entries: list_entries(&path, &losses, &pushes),
         what: format!("Normal force, and height above {reference}, over time"),
     }
 }
 
-fn force_plot(path: &[PathPiece], press: f64) -> Plot {
+fn build_force_plot(path: &[PathPiece], press: f64) -> Plot {
     let (low, high) = range(path.iter().map(|piece| piece.normal_force));
     Plot {
         top: TOP,
@@ -146,7 +146,7 @@ fn force_plot(path: &[PathPiece], press: f64) -> Plot {
 }
 
 /// Returns the axis of heights around the measured contacts; lifted moves are cut off.
-fn height_plot(path: &[PathPiece], top: f64) -> Plot {
+fn build_height_plot(path: &[PathPiece], top: f64) -> Plot {
     let touched = path.iter().filter(|piece| piece.touch != Touch::Free);
     let (low, highest_touched) = range(touched.map(|piece| piece.height));
     let (lowest, highest) = range(path.iter().map(|piece| piece.height));
@@ -160,7 +160,7 @@ fn height_plot(path: &[PathPiece], top: f64) -> Plot {
     }
 }
 
-fn cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
+fn draw_cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
     let cut = path.iter().any(|piece| piece.height > heights.high);
     html! { @if cut { "; lifted moves extend above the plot" } }
 }
@@ -228,14 +228,14 @@ fn draw_curves(
     html! {
         @for touch in [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive] {
             @for (path, style) in draw(touch) {
-                @if !path.is_empty() { path class=(class(touch)) style=[style] d=(path) {} }
+                @if !path.is_empty() { path class=(find_class(touch)) style=[style] d=(path) {} }
             }
         }
     }
 }
 
 /// Returns the CSS class of a line of a contact class.
-const fn class(touch: Touch) -> &'static str {
+const fn find_class(touch: Touch) -> &'static str {
     match touch {
         Touch::Free => "touch-free",
         Touch::Weak => "touch-weak",
@@ -254,7 +254,7 @@ fn draw_lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) 
             .collect()
     };
     let detected =
-        words::KINDS.map(|kind| (words::kind_name(kind), event_class(kind), spans(kind)));
+        words::KINDS.map(|kind| (words::kind_name(kind), find_event_class(kind), spans(kind)));
     let truth = ("true push", "event-push", pushes.to_vec());
     let lanes: Vec<_> = (detected.into_iter().chain([truth]))
         .filter(|(_, _, spans)| !spans.is_empty())
@@ -272,7 +272,7 @@ fn draw_lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) 
     (body, LANE * lanes.len() as f64)
 }
 
-const fn event_class(kind: EventKind) -> &'static str {
+const fn find_event_class(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "event-contact",
         EventKind::ContactLoss => "event-loss",
@@ -302,7 +302,7 @@ fn draw_time_axis(times: &Times, top: f64) -> Markup {
     }
 }
 
-fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
+fn list_entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
     let has = |touch| path.iter().any(|piece| piece.touch == touch);
     let classes = [
         (Touch::Confident, "confident contact"),
@@ -311,7 +311,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
     ];
     let mut entries: Vec<Entry> = (classes.into_iter())
         .filter(|(touch, _)| has(*touch))
-        .map(|(touch, label)| legend::line(class(touch), label))
+        .map(|(touch, label)| legend::line(find_class(touch), label))
         .collect();
     entries.push(legend::area(
         "confident-band",

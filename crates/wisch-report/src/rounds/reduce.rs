@@ -44,7 +44,7 @@ pub(crate) struct Stretch {
 pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
     let mut width = 1.0;
     loop {
-        let kept = peaks_by(curve, width);
+        let kept = find_peaks_by(curve, width);
         if kept.len() <= MAX_POINTS {
             return kept;
         }
@@ -52,7 +52,7 @@ pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
     }
 }
 
-fn peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
+fn find_peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
     let column = |dot: &Dot| (dot.x / width).floor();
     let mut kept = Vec::new();
     for group in curve.chunk_by(|a, b| column(a) == column(b)) {
@@ -128,7 +128,7 @@ pub(crate) fn select_usable(path: &[PathPiece]) -> Vec<PathPiece> {
 pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut length = length;
     loop {
-        let stretches = stretches_by(path, length);
+        let stretches = split_stretches_by(path, length);
         if stretches.len() <= MAX_STRETCHES || !length.is_finite() {
             return stretches;
         }
@@ -136,7 +136,7 @@ pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     }
 }
 
-fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
+fn split_stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
     for (i, piece) in path.iter().enumerate() {

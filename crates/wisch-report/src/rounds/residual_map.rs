@@ -123,10 +123,10 @@ impl Cells {
 
     /// Draws filled cells in bands of an eighth of the peak, clipped to the surface. `id`: unique on the page.
     fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
-        let peak = peak(values);
+        let peak = find_peak(values);
         let mut bands: [Pen; BANDS] = Default::default();
         for (cell, value) in values.iter().enumerate() {
-            let Some(band) = band(*value, peak) else {
+            let Some(band) = find_band(*value, peak) else {
                 continue;
             };
             let corner = Vector2::new((cell % self.columns) as f64, (cell / self.columns) as f64);
@@ -158,18 +158,18 @@ pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
     tick_step(cell.clamp(longest / MOST_CELLS, longest))
 }
 
-fn peak(values: &[f64]) -> f64 {
+fn find_peak(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
 /// Returns the band of a value, an eighth of the peak each; `None` for 0.
-fn band(value: f64, peak: f64) -> Option<usize> {
+fn find_band(value: f64, peak: f64) -> Option<usize> {
     let some = value > 0.0 && peak > 0.0;
     some.then(|| ((value / peak * BANDS as f64).ceil() as usize).clamp(1, BANDS) - 1)
 }
 
 /// Returns the bounds of the surface and of particles that fell off it.
-fn drawn_bounds(surface: &Surface) -> Bounds2 {
+fn find_drawn_bounds(surface: &Surface) -> Bounds2 {
     let mut bounds = extent(surface);
     let margin = Vector2::repeat(0.06 * bounds.size().max());
     bounds.min -= margin;
@@ -179,11 +179,11 @@ fn drawn_bounds(surface: &Surface) -> Bounds2 {
 
 pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.members(), input.goal, &input.task.surface);
-    let views = views(input, round, &cells);
+    let views = draw_views(input, round, &cells);
     let panels = views.into_iter().map(|(panel, _)| panel).collect();
     Figure {
         panel: place_in_row(panels),
-        entries: particle_entries(input, round),
+        entries: list_particle_entries(input, round),
         what: "Believed dirt before the round, and estimated and true dirt after it".to_owned(),
     }
 }
@@ -191,11 +191,11 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
 pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.members(), input.goal, &input.task.surface);
     Figure {
-        panel: place_in_row(maps(input, round, &cells).into()),
+        panel: place_in_row(draw_density_maps(input, round, &cells).into()),
         entries: Vec::new(),
         what: match round.members().len() {
-            1 => format!("{}, in the only replay", map_title(input.goal)),
-            many => format!("{}, over {many} members", map_title(input.goal)),
+            1 => format!("{}, in the only replay", choose_map_title(input.goal)),
+            many => format!("{}, over {many} members", choose_map_title(input.goal)),
         },
     }
 }
@@ -220,7 +220,7 @@ pub(crate) fn contacts_figure(input: &RoundsInput, round: &RoundView) -> Option<
 }
 
 /// Returns the title of the maps.
-fn map_title(goal: &GoalState) -> &'static str {
+fn choose_map_title(goal: &GoalState) -> &'static str {
     if goal.action().treats() {
         "Passes"
     } else {
@@ -253,18 +253,18 @@ fn place_in_row(panels: Vec<Panel>) -> Panel {
 }
 
 /// Returns the views with their descriptions: believed, estimated and true dirt.
-fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
-    let view = view(input, VIEW);
+fn draw_views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
+    let view = fit_view(input, VIEW);
     let typical = round.typical_replay(input);
     let performance = round.interpretation.performance;
     let planned = html! {
-        (particles(input, &view, round.believed))
+        (draw_particles(input, &view, round.believed))
         (draw_strokes(round, &view))
     };
     let id = format!("round-{}-estimated", round.number);
     let estimated = html! {
         g class="under-particles" { (cells.draw(&view, &input.task.surface, &id, &cells.mean)) }
-        (particles(input, &view, typical))
+        (draw_particles(input, &view, typical))
     };
     let mut views = vec![
         draw_view(
@@ -289,15 +289,15 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
             input,
             &view,
             &name,
-            particles(input, &view, truth),
+            draw_particles(input, &view, truth),
         ));
     }
     views
 }
 
-fn view(input: &RoundsInput, width: f64) -> View {
+fn fit_view(input: &RoundsInput, width: f64) -> View {
     let size = Vector2::new(width, TALLEST * width);
-    View::fit(drawn_bounds(&input.task.surface), 0.0, NAME, size)
+    View::fit(find_drawn_bounds(&input.task.surface), 0.0, NAME, size)
 }
 
 /// Draws a view with its name, the surface, `layers`, obstacles and a frame.
@@ -324,7 +324,7 @@ fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (P
     (panel, format!("Particles {name}"))
 }
 
-fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
+fn draw_particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
     let places: Vec<Point2> = particles.iter().map(|(place, _)| place).collect();
     let drawn: Vec<(Point2, Outcome)> = (thin_places(&places, MAX_DRAWN, input.task.action).iter())
         .map(|&i| {
@@ -357,7 +357,7 @@ fn draw_strokes(round: &RoundView, view: &View) -> Markup {
     html! { path class="trail" d=(lines) {} }
 }
 
-fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
+fn list_particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     let distributions = [round.believed, round.typical_replay(input)]
         .into_iter()
         .chain(round.truth.map(|(particles, _)| particles));
@@ -392,7 +392,7 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
 }
 
 /// Draws maps of mean and standard deviation by cell.
-fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
+fn draw_density_maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let unit = format!(
         "per cell of {} cm",
         metres(100.0 * cells.side, usize::from(cells.side < 0.01))
@@ -417,7 +417,7 @@ fn draw_maps(
     named: [(&str, &str); 2],
     unit: &str,
 ) -> [Panel; 2] {
-    let view = view(input, MAP);
+    let view = fit_view(input, MAP);
     let [first, second] = named;
     [(first, &cells.mean), (second, &cells.deviation)].map(|((stem, name), values)| {
         let id = format!("round-{}-{stem}", round.number);
@@ -434,7 +434,7 @@ fn draw_maps(
 /// Draws the colour scale of a map.
 fn draw_colour_scale(top: f64, values: &[f64], unit: &str) -> Markup {
     const CELL: f64 = 24.0;
-    let peak = peak(values);
+    let peak = find_peak(values);
     html! {
         @if peak > 0.0 {
             @for band in 1..=BANDS {
