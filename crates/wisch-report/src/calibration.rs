@@ -50,8 +50,8 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
         .fold(0.1, f64::max);
     let body = html! {
         text class="text small quiet" x="8" y="14" { "share of outcomes within the interval" }
-        (axes::beside(axes::quarters(map_down), RELIABILITY, 6.0))
-        (axes::below(list_level_ticks(RELIABILITY), BOTTOM, 18.0))
+        (axes::draw_ticks_beside(axes::list_quarters(map_down), RELIABILITY, 6.0))
+        (axes::draw_ticks_below(list_level_ticks(RELIABILITY), BOTTOM, 18.0))
         (draw_diagonal(RELIABILITY))
         @for (curve, class) in with_class() {
             (draw_curve(curve, class, RELIABILITY, |level| map_down(level.coverage)))
@@ -60,8 +60,8 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
             }
         }
         text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (percent(widest)) ")" }
-        (axes::beside(list_width_ticks(widest), WIDTHS, 6.0))
-        (axes::below(list_level_ticks(WIDTHS), BOTTOM, 18.0))
+        (axes::draw_ticks_beside(list_width_ticks(widest), WIDTHS, 6.0))
+        (axes::draw_ticks_below(list_level_ticks(WIDTHS), BOTTOM, 18.0))
         @for (curve, class) in with_class() {
             (draw_curve(curve, class, WIDTHS, |level| map_down(level.width / widest)))
         }

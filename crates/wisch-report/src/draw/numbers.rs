@@ -26,7 +26,7 @@ pub(crate) fn percent(share: f64) -> String {
 }
 
 /// Formats a count with separated thousands.
-pub(crate) fn grouped(count: usize) -> String {
+pub(crate) fn group_thousands(count: usize) -> String {
     let digits = count.to_string();
     let first = digits.len() % 3;
     digits

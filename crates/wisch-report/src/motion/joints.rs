@@ -282,7 +282,7 @@ fn draw_time_axis(times: &Times, left: f64, y: f64) -> Markup {
         let time = times.first + tick as f64 * step;
         (left + times.across(time), metres(time, decimals(step)))
     });
-    axes::below(ticks, y, 17.0)
+    axes::draw_ticks_below(ticks, y, 17.0)
 }
 
 /// Returns lines with the names of joints that do not move, and the number of moving joints that are not drawn.

@@ -58,8 +58,8 @@ pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
     });
     let body = html! {
         text class="text small quiet" x=("12") y=(px(TOP - 12.0)) { (drawing.achieved()) }
-        (axes::beside(axes::quarters(down), [LEFT, width - RIGHT], 8.0))
-        (axes::below(ticks, BOTTOM, 19.0))
+        (axes::draw_ticks_beside(axes::list_quarters(down), [LEFT, width - RIGHT], 8.0))
+        (axes::draw_ticks_below(ticks, BOTTOM, 19.0))
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(width - RIGHT))) {}
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}

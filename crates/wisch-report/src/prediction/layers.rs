@@ -64,13 +64,13 @@ impl<'a> Drawing<'a> {
 
     /// Label of a reached goal.
     pub(crate) fn achieved(&self) -> &'static str {
-        surface::achieved(&self.input.plan.graph.goal)
+        surface::achieved_label(&self.input.plan.graph.goal)
     }
 
     /// Draws the surface, its edges, the goal and the obstacles.
     pub(crate) fn ground(&self, view: &View) -> Markup {
         let (surface, goal) = (&self.input.task.surface, &self.input.plan.graph.goal);
-        surface::ground(view, surface, goal)
+        surface::draw_ground(view, surface, goal)
     }
 
     pub(crate) fn obstacles(&self, view: &View) -> Markup {

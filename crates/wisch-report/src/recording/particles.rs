@@ -1,7 +1,7 @@
 //! Particles over time, each step as its difference from the step before.
 
 use super::samples::round_to;
-use crate::scene::tenth;
+use crate::scene::to_tenth;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::geometry::Point2;
@@ -75,7 +75,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
 }
 
 /// Returns the positions of particles on the surface, thinned.
-pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
+pub(super) fn flatten_remaining(particles: &ParticleDistribution) -> Vec<i64> {
     let remaining = particles.remaining().map(|p| to_tenths(&p));
     let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
     let shown = remaining.filter(|place| is_shown(*place, one_in));
@@ -83,7 +83,7 @@ pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
 }
 
 /// Returns positions, thinned.
-pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
+pub(super) fn flatten_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
     let one_in = places.len().div_ceil(MAX_SHOWN).max(1);
     let places = places.map(|p| to_tenths(&p));
     places
@@ -146,7 +146,12 @@ pub(super) fn find_density(belief: &Belief, goal: &GoalState, surface: &Surface)
         cells = wider;
     };
     let (places, expected): (Vec<[i64; 2]>, Vec<f64>) = (shown.into_iter())
-        .map(|(index, count)| (index.map(|side| tenth((side as f64 + 0.5) * cell)), count))
+        .map(|(index, count)| {
+            (
+                index.map(|side| to_tenth((side as f64 + 0.5) * cell)),
+                count,
+            )
+        })
         .unzip();
     DensityRecord {
         cell,
@@ -184,5 +189,5 @@ fn is_shown([x, y]: [i64; 2], one_in: usize) -> bool {
 }
 
 fn to_tenths(p: &Point2) -> [i64; 2] {
-    [tenth(p.x), tenth(p.y)]
+    [to_tenth(p.x), to_tenth(p.y)]
 }

@@ -1,6 +1,6 @@
 //! Reasons for a plan: the gain of each stroke and of one more stroke, the yaw of the tool, and rated base poses.
 
-use super::particles::{flat_remaining, line};
+use super::particles::{flatten_remaining, line};
 use super::samples::{round_share, round_to};
 use super::treated::TreatedPlaces;
 use crate::draw::metres;
@@ -125,7 +125,7 @@ fn leave_out_each(task: &Task, wiped: &Plan) -> Vec<LeftOut> {
             lost: find_lost_share(&found.performance),
             particles: match places {
                 Some(_) => Vec::new(),
-                None => flat_remaining(&found.particles),
+                None => flatten_remaining(&found.particles),
             },
             treated: (places.as_ref()).and_then(|places| places.values(&found.particles)),
         }

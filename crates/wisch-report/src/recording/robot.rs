@@ -1,6 +1,6 @@
 //! The piece of a robot: links, joints and shapes.
 
-use crate::scene::{Meshes, Solid, seven, vector};
+use crate::scene::{Meshes, Solid, to_seven_numbers, vector};
 use serde::Serialize;
 use wisch::robot::{Appearance, Joint, JointKind, Link, LinkId, RobotModel, Shape, Visual};
 
@@ -106,7 +106,7 @@ impl<'a> JointRecord<'a> {
     fn new(joint: &'a Joint) -> Self {
         Self {
             parent: joint.parent.index(),
-            pose: seven(&joint.parent_from_joint),
+            pose: to_seven_numbers(&joint.parent_from_joint),
             axis: vector(&joint.axis),
             kind: match joint.kind {
                 JointKind::Fixed => "fixed",

@@ -1,7 +1,7 @@
 //! Sentences of the recording: task, plan, checks, results and advice.
 
 use super::treated::Band;
-use crate::draw::{grouped, metres, percent};
+use crate::draw::{group_thousands, metres, percent};
 use crate::rounds::words::{count_events, describe_diagnosis, format_estimate};
 use wisch::follow::{Audit, Followed};
 use wisch::interpret::{Doubt, EventKind};
@@ -21,7 +21,7 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Dispense => format!("Dispense {medium} onto the {surface}"),
     };
     let tool = format_name(&task.tool.name);
-    let count = grouped(task.particles.len());
+    let count = group_thousands(task.particles.len());
     if let Some(band) = Band::new(task) {
         let wanted = band.describe_target(target, &count);
         return format!("{doing} with the {tool}. Target: {wanted}.");
@@ -117,7 +117,7 @@ fn explain_placement(followed: &Followed) -> Option<String> {
     };
     Some(format!(
         "The robot works from {poses}. {reach} the {} places at which it can stand.",
-        grouped(standing)
+        group_thousands(standing)
     ))
 }
 
@@ -250,5 +250,5 @@ pub(super) fn suggest_measures(last: &Round) -> String {
 
 pub(super) fn format_count(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
-    format!("{} {noun}{plural}", grouped(count))
+    format!("{} {noun}{plural}", group_thousands(count))
 }

@@ -137,7 +137,7 @@ fn draw_probability(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     };
     html! {
         text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the probability of an effect" }
-        (axes::beside(axes::quarters(|share| map_down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
+        (axes::draw_ticks_beside(axes::list_quarters(|share| map_down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
         @if (0.0..1.0).contains(&likelihood.mu.exp()) {
             @let median = map_across(likelihood.mu.exp(), 1.0);
             path class="lifted" d=(format!("M{} {}V{}", px(median), px(CURVE), px(map_down(0.5, CURVE, TOP)))) {}
@@ -190,7 +190,7 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
     });
     html! {
         text class="text small quiet" x="8" y="14" { "p(x), density of the minimum force with an effect" }
-        (axes::beside(ticks, [LEFT, RIGHT], 6.0))
+        (axes::draw_ticks_beside(ticks, [LEFT, RIGHT], 6.0))
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}
         path class="lifted" d=(format!("M{} {}V{}", px(full), px(BARS), px(TOP))) {}
@@ -208,7 +208,7 @@ fn draw_force_axis(most: f64, y: f64, label: &str) -> Markup {
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
-        (axes::below(ticks, y, 18.0))
+        (axes::draw_ticks_below(ticks, y, 18.0))
         text class="text small quiet end" x=(px(RIGHT)) y=(px(y + 34.0)) { (label) " [1]" }
     }
 }

@@ -81,7 +81,7 @@ impl Times {
 
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let found = round.interpretation;
-    let path = reduce::drawable(found);
+    let path = reduce::select_drawable(found);
     let times = Times::new(&path);
     let press = input.task.interaction.press_force_n;
     let forces = build_force_plot(&path, press);
@@ -93,7 +93,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let (lanes, below) = draw_lanes(&found.events, &pushes, &times, bottom + 12.0);
     // Duration of a unit of the picture: closer pushes look like one.
     let gap = times.duration() / (RIGHT - LEFT);
-    let collisions: Vec<_> = (reduce::spans(&path, Touch::FalsePositive, gap).into_iter())
+    let collisions: Vec<_> = (reduce::find_spans(&path, Touch::FalsePositive, gap).into_iter())
         .filter_map(|span| times.place(span))
         .collect();
     let losses: Vec<_> = (found.events.iter())
@@ -214,7 +214,7 @@ fn draw_curves(
             touch: piece.touch,
         })
         .collect();
-    let runs = reduce::runs(&reduce::peaks(&dots));
+    let runs = reduce::split_runs(&reduce::find_peaks(&dots));
     let draw = |touch: Touch| {
         let (mut lines, mut alone) = (Pen::default(), Pen::default());
         for run in runs.iter().filter(|run| run.touch == touch) {
@@ -294,7 +294,7 @@ fn draw_time_axis(times: &Times, top: f64) -> Markup {
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(top), px(RIGHT))) {}
-        (axes::below(ticks, top, 18.0))
+        (axes::draw_ticks_below(ticks, top, 18.0))
         @if times.duration() <= 0.0 {
             text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (metres(times.first, 3)) }
         }

@@ -65,7 +65,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
         .collect();
     let body = html! {
         text class="text small quiet" x="12" y="14" { "performance" }
-        (axes::beside(axes::quarters(map_down), [LEFT, RIGHT], 8.0))
+        (axes::draw_ticks_beside(axes::list_quarters(map_down), [LEFT, RIGHT], 8.0))
         @for (bar, left) in &placed { (draw(bar, *left, width)) }
         @for (i, round) in input.rounds.iter().enumerate().step_by(every) {
             text class="text small quiet middle" x=(px(middle(i))) y=(px(BOTTOM + 18.0)) { (round.number) }

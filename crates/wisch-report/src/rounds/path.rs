@@ -99,7 +99,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let bounds = surface::extent(&input.task.surface);
     let corners = list_corners(&bounds);
     let plane = (found.plane.as_ref()).and_then(|plane| PlaneBox::new(plane, &corners));
-    let path = reduce::drawable(found);
+    let path = reduce::select_drawable(found);
     let reach = AROUND * bounds.size().norm();
     let near = |p: &Point3| {
         let beyond = (p.xy() - bounds.center()).abs() - 0.5 * bounds.size();
@@ -114,7 +114,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         .collect();
     let stretching = find_height_factor(&shown, bounds.size().norm());
     let projection = Projection::new(stretching, shown.iter().copied());
-    let stretches = reduce::stretches(&path, STRETCH / projection.scale);
+    let stretches = reduce::split_stretches(&path, STRETCH / projection.scale);
     let base: Vec<Vec<Point3>> = (outline.rings())
         .map(|ring| ring.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect())
         .collect();

@@ -5,7 +5,8 @@ use super::input::{RoundView, RoundsInput};
 use crate::draw::{
     BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, shorten,
     surface::{
-        self, Outcome, achieved, dot_radius, extent, ground, lost, obstacle_rings, open, outcome,
+        self, Outcome, achieved_label, dot_radius, draw_ground, extent, lost_label, obstacle_rings,
+        open_label, outcome,
     },
     tick_step,
 };
@@ -305,7 +306,7 @@ fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (P
     let radius = input.task.tool.collision_radius();
     let obstacles = obstacle_rings(input.task, radius);
     let inner = html! {
-        (ground(view, &input.task.surface, input.goal))
+        (draw_ground(view, &input.task.surface, input.goal))
         (layers)
         path class="outline" d=(view.rings(input.task.surface.outline.rings())) {}
         @if !obstacles.is_empty() {
@@ -368,14 +369,14 @@ fn list_particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     let has = |outcome| outcomes.contains(&outcome);
     let mut entries = Vec::new();
     if has(Outcome::Left) {
-        entries.push(legend::dot("dots-left", open(input.goal)));
+        entries.push(legend::dot("dots-left", open_label(input.goal)));
     }
     if has(Outcome::Done) {
-        entries.push(legend::dot("dots-done", achieved(input.goal)));
+        entries.push(legend::dot("dots-done", achieved_label(input.goal)));
     }
     if has(Outcome::Lost) {
         entries.push(Entry {
-            label: lost(input.goal).to_owned(),
+            label: lost_label(input.goal).to_owned(),
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         });
     }
