@@ -3,7 +3,7 @@
 use crate::baselines::Baselines;
 use crate::pushes::PushCounts;
 use crate::simulated::{format_error, read_robot};
-use crate::variants::{Seen, Variant, VariantBelief};
+use crate::variants::{CameraObservation, Variant, VariantBelief};
 use crate::world::{Senses, WorldCase};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -238,10 +238,10 @@ impl<'a> RoundScorer<'a> {
     ) -> Self {
         let baselines = Baselines::new(&prior, task);
         let mut before = prior;
-        if let Some(seen) = Seen::from_observation(first_observation, sight) {
+        if let Some(observed) = CameraObservation::from_observation(first_observation, sight) {
             // As in the session: a goal area that the planner chooses is unknown at this point.
             let goal = task.goal().unwrap_or(GoalState::Skimmed);
-            before = before.observe(&seen.update(task, &goal));
+            before = before.observe(&observed.update(task, &goal));
         }
         Self {
             sight,
@@ -267,9 +267,10 @@ impl<'a> RoundScorer<'a> {
             .map_err(format_error)?
             .ok_or("there is no dirt in this world")?;
         let simpler = (self.baselines.update(motion, touch, &goal)).map_err(format_error)?;
-        let seen = Seen::from_observation(interpretation.observation.as_ref(), self.sight);
+        let observed =
+            CameraObservation::from_observation(interpretation.observation.as_ref(), self.sight);
         let score_variant = |variant: &mut VariantBelief<'_>| {
-            let belief = variant.update_belief(motion, touch, seen, &goal);
+            let belief = variant.update_belief(motion, touch, observed, &goal);
             Ok(BeliefScore::evaluate(
                 &belief.map_err(format_error)?,
                 outcome,

@@ -380,11 +380,12 @@ fn simulate_effect(
     let robot = job.robot.map(|(_, robot)| robot);
     let mut record = RunRecord::begin(loaded, robot, options)?;
     record.remarks().iter().for_each(|text| remark(text));
-    let mut look = |event: &RunEvent<'_>| {
+    let mut handle_event = |event: &RunEvent<'_>| {
         show(job.progress, event);
         record.on_event(event)
     };
-    (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
+    (session.run_until(until, &mut NoExecutor, &mut handle_event))
+        .map_err(|error| job.failed(error))?;
     let mut results = match (session.plan(), session.first_motion()) {
         (_, Some(_)) => record.results(&session)?,
         (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),

@@ -434,7 +434,7 @@ fn read_observed_rounds(
     let sensor = prepared.file.camera.unwrap_or_default();
     let sight = prepared.sight(sensor);
     let effect = prepared.task.action.effect();
-    let mut felt: Vec<(Task, Interpreter)> = Vec::new();
+    let mut interpreted: Vec<(Task, Interpreter)> = Vec::new();
     let mut seen = Vec::new();
     for round in rounds {
         let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
@@ -454,13 +454,16 @@ fn read_observed_rounds(
             // The surface pose of the round's plan, which touch may have corrected.
             task.surface.world_from_surface = logged;
         }
-        if let Some(number) = round.number.filter(|number| *number > felt.len() + 1) {
+        if let Some(number) = round
+            .number
+            .filter(|number| *number > interpreted.len() + 1)
+        {
             progress.aside(|| {
                 remark(&format!(
-                    "{}: of {} before it, {} given; the exposure of the dirt in the missing rounds is unknown",
+                    "{}: only {} of {} before it are given; the exposure of the dirt in the missing rounds is unknown",
                     round.place.display(),
-                    format_count(number - 1, "round"),
-                    felt.len()
+                    interpreted.len(),
+                    format_count(number - 1, "round")
                 ));
             });
         }
@@ -486,14 +489,14 @@ fn read_observed_rounds(
             interpreter.exposures(places, effect, error, GUESSES)
         };
         let mut earlier: Vec<Vec<f64>> = Vec::new();
-        for (then, felt) in &felt {
+        for (then, interpreter_then) in &interpreted {
             let then_from_now =
                 then.surface.world_from_surface.inverse() * task.surface.world_from_surface;
             let places = before
                 .transform(&then_from_now, &task.surface.shape)
                 .detections;
-            let felt = exposures(felt, &places).map_err(|error| fault(&error))?;
-            let most = felt
+            let exposed = exposures(interpreter_then, &places).map_err(|error| fault(&error))?;
+            let most = exposed
                 .iter()
                 .map(|guesses| guesses.iter().map(Exposure::max_share));
             let most: Vec<Vec<f64>> = most.map(Iterator::collect).collect();
@@ -514,7 +517,7 @@ fn read_observed_rounds(
             area_m2: task.surface.outline.area(),
             earlier,
         });
-        felt.push((task, interpreter));
+        interpreted.push((task, interpreter));
     }
     Ok(seen)
 }

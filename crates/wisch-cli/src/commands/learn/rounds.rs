@@ -153,7 +153,7 @@ impl RecordedRound {
     /// If one of them is missing.
     pub fn observations_of_both(&self) -> Result<[Observation; 2], Failure> {
         let missing = (self.observations.iter().zip(&self.unseen).zip(WHEN))
-            .find_map(|((look, said), when)| look.is_none().then_some((said, when)));
+            .find_map(|((observation, said), when)| observation.is_none().then_some((said, when)));
         match (&self.observations, missing) {
             ([Some(before), Some(after)], _) => Ok([before.clone(), after.clone()]),
             (_, missing) => {
@@ -300,7 +300,11 @@ fn read_recording(
     for number in 1..=record.rounds.len() {
         let seen = episode.observations(number).map_err(memory_failure)?;
         let seen = seen.map_or([None, None], |seen| seen.observations);
-        if let Some((_, when)) = seen.iter().zip(WHEN).find(|(look, _)| look.is_none()) {
+        if let Some((_, when)) = seen
+            .iter()
+            .zip(WHEN)
+            .find(|(observation, _)| observation.is_none())
+        {
             return Ok(Err(no_observation_failure(
                 &round_path(&episode, number),
                 "",
