@@ -1,6 +1,6 @@
 //! The drawing of an estimator's calibration: reliability and width of its intervals.
 
-use crate::draw::{Figure, Panel, Pen, axes, legend, percent, px};
+use crate::draw::{Figure, Panel, Pen, axes, format_percent, legend, px};
 use maud::{Markup, html};
 
 const WIDTH: f64 = 760.0;
@@ -59,7 +59,7 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
                 (draw_whisker(map_across(level.level, RELIABILITY), level.bounds))
             }
         }
-        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (percent(widest)) ")" }
+        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (format_percent(widest)) ")" }
         (axes::draw_ticks_beside(list_width_ticks(widest), WIDTHS, 6.0))
         (axes::draw_ticks_below(list_level_ticks(WIDTHS), BOTTOM, 18.0))
         @for (curve, class) in with_class() {
@@ -95,13 +95,13 @@ fn map_down(share: f64) -> f64 {
 fn list_level_ticks(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
     [0.0, 0.5, 0.8, 0.95]
         .into_iter()
-        .map(move |share| (map_across(share, ends), percent(share)))
+        .map(move |share| (map_across(share, ends), format_percent(share)))
 }
 
 fn list_width_ticks(widest: f64) -> impl Iterator<Item = (f64, String)> {
     (0..=4).map(move |quarter| {
         let share = f64::from(quarter) / 4.0;
-        (map_down(share), percent(share * widest))
+        (map_down(share), format_percent(share * widest))
     })
 }
 

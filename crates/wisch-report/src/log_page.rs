@@ -1,6 +1,6 @@
 //! The page of an interpreted log: path, force, fitted plane and estimated dirt.
 
-use crate::draw::{GAP, metres};
+use crate::draw::{GAP, format_decimal};
 use crate::page::document::document;
 use crate::rounds::{RoundView, RoundsInput, log_figures, words};
 use maud::{Markup, PreEscaped, html};
@@ -72,8 +72,8 @@ fn list_events(events: &[Event]) -> Markup {
                         @for event in events.iter().take(MAX_EVENTS) {
                             tr {
                                 td { (words::kind_name(event.kind)) }
-                                td { (metres(event.start, 2)) } td { (metres(event.end, 2)) }
-                                td { (metres(event.peak_force, 1)) }
+                                td { (format_decimal(event.start, 2)) } td { (format_decimal(event.end, 2)) }
+                                td { (format_decimal(event.peak_force, 1)) }
                             }
                         }
                     }

@@ -3,7 +3,7 @@
 use super::particles::{flatten_remaining, line};
 use super::samples::{round_share, round_to};
 use super::treated::TreatedPlaces;
-use crate::draw::metres;
+use crate::draw::format_decimal;
 use serde::Serialize;
 use std::f64::consts::PI;
 use wisch::follow::{Followed, Placement, RatedBasePose};
@@ -200,7 +200,7 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
         });
     // In steps of 5 mm, so that nearly equal strokes have the same sentence.
     let [swept, least, widest] =
-        [swept, least, widest].map(|width| metres(5.0 * (1e3 * width / 5.0).round(), 0));
+        [swept, least, widest].map(|width| format_decimal(5.0 * (1e3 * width / 5.0).round(), 0));
     let lane = if least == widest {
         format!("The tool covers a lane of about {swept} mm")
     } else {
@@ -211,7 +211,7 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
     match measure_turn_against_plan(task, plan, stroke) {
         Some(turn) if turn.abs() > TURNED => format!(
             "{lane}. The robot turns the tool by {} degrees against the plan.",
-            metres(turn.to_degrees(), 0)
+            format_decimal(turn.to_degrees(), 0)
         ),
         _ => format!("{lane}."),
     }

@@ -2,7 +2,7 @@
 
 use super::particles::line;
 use super::samples::round_to;
-use crate::draw::{metres, percent};
+use crate::draw::{format_decimal, format_percent};
 use crate::prediction::frames::{Frame, PlaceGrid};
 use serde::Serialize;
 use wisch::interpret::Belief;
@@ -83,10 +83,10 @@ impl Band {
 
     /// States the target as the performance counts it. `count`: number of places, in words.
     pub(super) fn describe_target(&self, target: f64, count: &str) -> String {
-        let on = format!("on {} of {count} surface points", percent(target));
+        let on = format!("on {} of {count} surface points", format_percent(target));
         if self.unit == "passes" {
             let [least, most] = [self.low, self.high].map(format_passes);
-            let rest = percent(1.0 - target);
+            let rest = format_percent(1.0 - target);
             format!("at least {least} {on}, and more than {most} on at most {rest}")
         } else {
             format!("a coat of {} {on}", self.describe())
@@ -96,7 +96,7 @@ impl Band {
     /// Describes the band, such as "80 to 120 µm".
     pub(super) fn describe(&self) -> String {
         let digits = usize::from(self.unit != "passes" && self.low < 10.0);
-        let [low, high] = [self.low, self.high].map(|value| metres(value, digits));
+        let [low, high] = [self.low, self.high].map(|value| format_decimal(value, digits));
         if low == high {
             format!("{low} {}", self.unit)
         } else {
@@ -115,7 +115,11 @@ impl Band {
     /// Describes what a place has above the band.
     pub(super) fn describe_excess(&self) -> String {
         let digits = usize::from(self.unit != "passes" && self.high < 10.0);
-        format!("more than {} {}", metres(self.high, digits), self.unit)
+        format!(
+            "more than {} {}",
+            format_decimal(self.high, digits),
+            self.unit
+        )
     }
 
     /// Returns the value of a number of passes, in steps.
@@ -126,7 +130,7 @@ impl Band {
 
 fn format_passes(count: f64) -> String {
     let plural = if count == 1.0 { "" } else { "es" };
-    format!("{} pass{plural}", metres(count, 0))
+    format!("{} pass{plural}", format_decimal(count, 0))
 }
 
 impl TreatedPlaces {

@@ -2,7 +2,10 @@
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce;
-use crate::draw::{Figure, GAP, Panel, Pen, axes, decimals, metres, percent, px, tick_step};
+use crate::draw::{
+    Figure, GAP, Panel, Pen, axes, count_decimals, find_tick_step, format_decimal, format_percent,
+    px,
+};
 use maud::{Markup, html};
 use wisch::interpret::{PathPiece, Touch};
 use wisch::represent::LogNormal;
@@ -144,7 +147,7 @@ fn draw_probability(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
         }
         path class="curve" d=(curve.path()) {}
         text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
-            @if most > 0.0 { "share of the contact time (peak: " (percent(most)) ")" } @else { "no contact" }
+            @if most > 0.0 { "share of the contact time (peak: " (format_percent(most)) ")" } @else { "no contact" }
         }
         @for (left, width, top) in (0..BINS).map(bar) {
             @if BARS - top > 0.05 {
@@ -166,7 +169,7 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
     };
     let forces = list_curve_forces(likelihood, most);
     let peak = forces.iter().map(|&x| p(x)).fold(0.0, f64::max);
-    let step = tick_step(peak / 4.0);
+    let step = find_tick_step(peak / 4.0);
     let top = if peak > 0.0 { 1.05 * peak } else { 1.0 };
     let place = |x: f64| (map_across(x, most), map_down(p(x) / top, BARS, TOP));
     let (mut curve, mut under) = (Pen::default(), Pen::default());
@@ -185,7 +188,7 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
         let value = tick as f64 * step;
         (
             map_down(value / top, BARS, TOP),
-            metres(value, decimals(step)),
+            format_decimal(value, count_decimals(step)),
         )
     });
     html! {
@@ -195,16 +198,19 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
         path class="curve" d=(curve.path()) {}
         path class="lifted" d=(format!("M{} {}V{}", px(full), px(BARS), px(TOP))) {}
         text class="text small end" x=(px(full - 6.0)) y=(px(TOP + 12.0)) { "full force" }
-        text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (percent(likelihood.probability(1.0))) " below" }
+        text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (format_percent(likelihood.probability(1.0))) " below" }
         (draw_force_axis(most, BARS, "normalised force x"))
     }
 }
 
 fn draw_force_axis(most: f64, y: f64, label: &str) -> Markup {
-    let step = tick_step(most / 6.0);
+    let step = find_tick_step(most / 6.0);
     let ticks = (0..=(most / step + 1e-9) as i64).map(|tick| {
         let value = tick as f64 * step;
-        (map_across(value, most), metres(value, decimals(step)))
+        (
+            map_across(value, most),
+            format_decimal(value, count_decimals(step)),
+        )
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}

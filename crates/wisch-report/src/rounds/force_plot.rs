@@ -4,7 +4,8 @@ use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Dot};
 use super::words;
 use crate::draw::{
-    Entry, Figure, Panel, Pen, WIDTH, axes, decimals, legend, metres, px, range, tick_step,
+    Entry, Figure, Panel, Pen, WIDTH, axes, count_decimals, find_range, find_tick_step,
+    format_decimal, legend, px,
 };
 use maud::{Markup, html};
 use wisch::interpret::{Event, EventKind, PathPiece, Touch};
@@ -137,7 +138,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
 }
 
 fn build_force_plot(path: &[PathPiece], press: f64) -> Plot {
-    let (low, high) = range(path.iter().map(|piece| piece.normal_force));
+    let (low, high) = find_range(path.iter().map(|piece| piece.normal_force));
     Plot {
         top: TOP,
         low: low.min(-1.25 * press) - 0.04 * press,
@@ -148,8 +149,8 @@ fn build_force_plot(path: &[PathPiece], press: f64) -> Plot {
 /// Returns the axis of heights around the measured contacts; lifted moves are cut off.
 fn build_height_plot(path: &[PathPiece], top: f64) -> Plot {
     let touched = path.iter().filter(|piece| piece.touch != Touch::Free);
-    let (low, highest_touched) = range(touched.map(|piece| piece.height));
-    let (lowest, highest) = range(path.iter().map(|piece| piece.height));
+    let (low, highest_touched) = find_range(touched.map(|piece| piece.height));
+    let (lowest, highest) = find_range(path.iter().map(|piece| piece.height));
     let high = highest.min(highest_touched + LIFT_SHOWN);
     let low = lowest.max(low.min(0.0) - LIFT_SHOWN).min(0.0);
     let margin = 0.06 * (high - low).max(LEAST_HEIGHT);
@@ -181,21 +182,21 @@ fn draw_commanded_force(plot: &Plot, press: f64) -> Markup {
         rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
         path class="target" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
         text class="text small quiet end halo" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
-            "f_min = " (metres(-press, decimals(press))) " N"
+            "f_min = " (format_decimal(-press, count_decimals(press))) " N"
         }
     }
 }
 
 /// Draws the value axis of a plot. `unit`: shown units per unit of the values.
 fn draw_scale(plot: &Plot, unit: f64) -> Markup {
-    let step = tick_step(unit * (plot.high - plot.low) / 5.0);
+    let step = find_tick_step(unit * (plot.high - plot.low) / 5.0);
     let ticks = (unit * plot.low / step).ceil() as i64..=(unit * plot.high / step).floor() as i64;
     html! {
         @for tick in ticks {
             @let value = tick as f64 * step;
             @let y = plot.down(value / unit);
             path class=(if tick == 0 { "axis" } else { "rule" }) d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
-            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 4.0)) { (metres(value, decimals(step))) }
+            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 4.0)) { (format_decimal(value, count_decimals(step))) }
         }
         rect class="axis" x=(px(LEFT)) y=(px(plot.top)) width=(px(RIGHT - LEFT)) height=(px(HEIGHT)) {}
     }
@@ -285,18 +286,21 @@ const fn find_event_class(kind: EventKind) -> &'static str {
 }
 
 fn draw_time_axis(times: &Times, top: f64) -> Markup {
-    let step = tick_step(times.duration() / 7.0);
+    let step = find_tick_step(times.duration() / 7.0);
     let moments = (times.first / step).ceil() as i64..=(times.last / step).floor() as i64;
     let moments = moments.filter(|_| times.duration() > 0.0);
     let ticks = moments.map(|tick| {
         let time = tick as f64 * step;
-        (times.across(time), metres(time, decimals(step)))
+        (
+            times.across(time),
+            format_decimal(time, count_decimals(step)),
+        )
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(top), px(RIGHT))) {}
         (axes::draw_ticks_below(ticks, top, 18.0))
         @if times.duration() <= 0.0 {
-            text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (metres(times.first, 3)) }
+            text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (format_decimal(times.first, 3)) }
         }
         text class="text small quiet end" x=(px(RIGHT)) y=(px(top + 34.0)) { "time [s]" }
     }

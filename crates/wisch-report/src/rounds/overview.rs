@@ -1,7 +1,7 @@
 //! Predicted, estimated and true performance of all rounds.
 
 use super::input::{RoundView, RoundsInput};
-use crate::draw::{Entry, Figure, Panel, axes, legend, percent, px};
+use crate::draw::{Entry, Figure, Panel, axes, format_percent, legend, px};
 use maud::{Markup, html};
 
 /// Width of the picture; narrower than other pictures, so that its numbers are readable on a phone.
@@ -76,7 +76,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
             @for (bar, left) in &placed { (draw_number(bar, left + 0.5 * width)) }
         }
         text class="text small" x=(px(RIGHT + 6.0)) y=(px(target + 1.0)) { "target" }
-        text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (percent(input.target)) }
+        text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (format_percent(input.target)) }
         text class="text small quiet end" x=(px(RIGHT)) y=(px(BOTTOM + 36.0)) { "round" }
     };
     Figure {

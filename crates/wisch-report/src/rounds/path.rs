@@ -2,7 +2,7 @@
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Stretch};
-use crate::draw::{Entry, Figure, Panel, Pen, legend, metres, px, surface, tick_step};
+use crate::draw::{Entry, Figure, Panel, Pen, find_tick_step, format_decimal, legend, px, surface};
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Point3};
 use wisch::interpret::{FittedPlane, Touch};
@@ -264,8 +264,8 @@ fn draw_axis_lengths(projection: &Projection, height: f64, shown: &[Point3]) -> 
     let origin = (MARGIN + 4.0, height - 34.0);
     let high = shown.iter().fold(0.0, |high: f64, p| high.max(p.z.abs()));
     let upright = projection.scale * projection.stretching * ELEVATION.cos();
-    let flat = tick_step(0.5 * LONG / projection.scale);
-    let up = tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
+    let flat = find_tick_step(0.5 * LONG / projection.scale);
+    let up = find_tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
     let end = |p: Point3| {
         let (x, y) = Projection::flat(projection.stretching, p);
         let scale = projection.scale;
@@ -280,12 +280,12 @@ fn draw_axis_lengths(projection: &Projection, height: f64, shown: &[Point3]) -> 
     for tip in [x, y, z] {
         lines.line([origin, tip]);
     }
-    let centimetres = metres(100.0 * flat, usize::from(flat < 0.0095));
+    let centimetres = format_decimal(100.0 * flat, usize::from(flat < 0.0095));
     html! {
         path class="axis" d=(lines.path()) {}
         text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
         text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 9.0)) { "y, " (centimetres) " cm" }
-        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
+        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (format_decimal(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
     }
 }
 
@@ -314,7 +314,7 @@ fn list_entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64
         ));
     }
     if let Some(plane) = plane {
-        let half = metres(1e3 * plane.half, 1);
+        let half = format_decimal(1e3 * plane.half, 1);
         entries.push(legend::area(
             "fitted-plane",
             format!("fitted plane, ± {half} mm"),

@@ -3,12 +3,12 @@
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
-    BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, shorten,
+    BANDS, Entry, Figure, GAP, Panel, Pen, View, find_tick_step, format_decimal, format_percent,
+    inset, legend, px, shorten,
     surface::{
         self, Outcome, achieved_label, dot_radius, draw_ground, extent, lost_label, obstacle_rings,
         open_label, outcome,
     },
-    tick_step,
 };
 use crate::prediction::frames::thin_places;
 use maud::{Markup, html};
@@ -156,7 +156,7 @@ pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
     let size = bounds.size();
     let cell = (size.x * size.y / particles.max(1) as f64).sqrt();
     let longest = size.max();
-    tick_step(cell.clamp(longest / MOST_CELLS, longest))
+    find_tick_step(cell.clamp(longest / MOST_CELLS, longest))
 }
 
 fn find_peak(values: &[f64]) -> f64 {
@@ -280,12 +280,12 @@ fn draw_views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Pan
         draw_view(
             input,
             &view,
-            &format!("estimated: {}", percent(performance.mean)),
+            &format!("estimated: {}", format_percent(performance.mean)),
             estimated,
         ),
     ];
     if let Some((truth, share)) = round.truth {
-        let name = format!("true: {}", percent(share));
+        let name = format!("true: {}", format_percent(share));
         views.push(draw_view(
             input,
             &view,
@@ -396,7 +396,7 @@ fn list_particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
 fn draw_density_maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let unit = format!(
         "per cell of {} cm",
-        metres(100.0 * cells.side, usize::from(cells.side < 0.01))
+        format_decimal(100.0 * cells.side, usize::from(cells.side < 0.01))
     );
     let mean = if input.goal.action().treats() {
         "mean number of passes"
@@ -442,7 +442,7 @@ fn draw_colour_scale(top: f64, values: &[f64], unit: &str) -> Markup {
                 rect class=(format!("band-{band}")) x=(px(CELL * (band - 1) as f64)) y=(px(top)) width=(px(CELL)) height="12" {}
             }
             @for (share, class) in [(0.0, "text small quiet"), (0.5, "text small quiet middle"), (1.0, "text small quiet end")] {
-                text class=(class) x=(px(share * CELL * BANDS as f64)) y=(px(top + 25.0)) { (metres(share * peak, 2)) }
+                text class=(class) x=(px(share * CELL * BANDS as f64)) y=(px(top + 25.0)) { (format_decimal(share * peak, 2)) }
             }
             text class="text small quiet" x=(px(CELL * BANDS as f64 + 12.0)) y=(px(top + 10.0)) { (unit) }
         } @else {
