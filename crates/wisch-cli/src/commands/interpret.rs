@@ -189,7 +189,7 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
         let apart = logged.inverse() * prepared.task.surface.world_from_surface;
         let (distance, angle) = (apart.translation.vector.norm(), apart.rotation.angle());
         // A later round of a run may plan on a surface pose that touch has corrected.
-        if distance > ELSEWHERE_M || angle > ELSEWHERE_RAD {
+        if distance > MAX_OFFSET_M || angle > MAX_OFFSET_RAD {
             remarks.push(format!(
                 "the log's surface is {distance:.3} m and {:.1}° away from the task's surface: is --task the task of this log?",
                 angle.to_degrees()
@@ -217,8 +217,8 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
 }
 
 /// Limits up to which a log's surface pose counts as the task's [m] and [rad].
-pub(super) const ELSEWHERE_M: f64 = 0.05;
-const ELSEWHERE_RAD: f64 = 0.18;
+pub(super) const MAX_OFFSET_M: f64 = 0.05;
+const MAX_OFFSET_RAD: f64 = 0.18;
 
 /// Returns the arguments that select the task.
 pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {

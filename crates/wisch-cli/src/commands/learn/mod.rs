@@ -3,7 +3,7 @@
 mod record;
 mod rounds;
 
-use super::interpret::ELSEWHERE_M;
+use super::interpret::MAX_OFFSET_M;
 use super::prepare;
 use super::words::format_count;
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
@@ -445,9 +445,9 @@ fn read_observed_rounds(
         if let Some(logged) = round.world_from_surface {
             let apart = logged.inverse() * task.surface.world_from_surface;
             let distance = apart.translation.vector.norm();
-            if distance > ELSEWHERE_M {
+            if distance > MAX_OFFSET_M {
                 return Err(fault(&format!(
-                    "the log's surface is {distance:.3} m away from the surface of task {:?}, limit {ELSEWHERE_M} m: is --task the task of this log?",
+                    "the log's surface is {distance:.3} m away from the surface of task {:?}, limit {MAX_OFFSET_M} m: is --task the task of this log?",
                     task.name
                 )));
             }
