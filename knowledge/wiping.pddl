@@ -1,5 +1,5 @@
-; What a wiping robot can bring about. Which tool can move which medium on which surface is not
-; said here: the (can-...) facts come from the knowledge base.
+; The actions of a wiping robot. The knowledge base states which tool can wipe or dispense which medium on which surface: the
+; facts (can-...).
 (define (domain wiping)
   (:requirements :strips :typing :negative-preconditions :universal-preconditions :conditional-effects)
   (:types tool medium surface)
@@ -9,11 +9,11 @@
     (holding ?t - tool)
     (loaded ?t - tool)
     (on ?m - medium ?s - surface)
-    (wet ?s - surface) ; while a liquid is on the surface: derived, no action states it
-    (in-way ?d - medium ?m - medium ?s - surface) ; d is wiped before m
-    (under ?d - medium ?m - medium ?s - surface) ; d is off the surface before m treats it
-    (sweeps ?t - tool ?m - medium ?o - medium ?s - surface) ; wiping m passes over where o was collected
-    (spoiled ?m - medium ?s - surface) ; what was collected has been wiped over
+    (wet ?s - surface) ; a liquid is on the surface; wisch derives this fact, no action has it as an effect
+    (in-way ?d - medium ?m - medium ?s - surface) ; d has to be wiped before m
+    (under ?d - medium ?m - medium ?s - surface) ; d has to be off the surface before m treats it
+    (sweeps ?t - tool ?m - medium ?o - medium ?s - surface) ; wiping m with t passes over the heap of o
+    (spoiled ?m - medium ?s - surface) ; the heap of m has been wiped over
     (can-absorb ?t - tool ?m - medium ?s - surface)
     (can-collect ?t - tool ?m - medium ?s - surface)
     (can-skim ?t - tool ?m - medium ?s - surface)
@@ -35,14 +35,14 @@
     :precondition (holding ?t)
     :effect (and (hand-empty) (not (holding ?t))))
 
-  ; A tool that has absorbed something is wrung out or emptied before it is used again.
+  ; A tool that has absorbed a medium is wrung out or emptied before it is used again.
   (:action empty
     :parameters (?t - tool)
     :precondition (and (holding ?t) (loaded ?t))
     :effect (not (loaded ?t)))
 
-  ; Loose dirt goes before a liquid on the same surface, and polish before a coat: (in-way ...) states it. Nothing may lie
-  ; under a treatment, not even in a heap: (under ...) states it.
+  ; (in-way ...): loose dirt is wiped before a liquid on the same surface, and polishing comes before coating. (under ...):
+  ; nothing may lie under a polish or a coat, not even a heap.
   (:action absorb
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-absorb ?t ?m ?s)
@@ -51,7 +51,7 @@
       (forall (?o - medium) (when (sweeps ?t ?m ?o ?s) (and (spoiled ?o ?s) (not (collected ?o ?s)))))
       (forall (?o - medium) (and (not (in-way ?m ?o ?s)) (not (under ?m ?o ?s))))))
 
-  ; What is collected still lies on the surface, but in one place: whatever passes over it there spoils it.
+  ; Collected dirt stays on the surface, in a heap. A tool that passes over the heap spoils it.
   (:action collect
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (not (loaded ?t)) (on ?m ?s) (can-collect ?t ?m ?s) (not (spoiled ?m ?s))
@@ -68,7 +68,7 @@
       (forall (?o - medium) (when (sweeps ?t ?m ?o ?s) (and (spoiled ?o ?s) (not (collected ?o ?s)))))
       (forall (?o - medium) (and (not (in-way ?m ?o ?s)) (not (under ?m ?o ?s))))))
 
-  ; What treats a surface brings its medium along.
+  ; Polishing and coating bring their medium along, so it need not be on the surface.
   (:action polish
     :parameters (?t - tool ?m - medium ?s - surface)
     :precondition (and (holding ?t) (not (loaded ?t)) (can-polish ?t ?m ?s)

@@ -34,7 +34,8 @@ pub use robot::{
 };
 pub use surface::{SurfaceCheckArgs, SurfaceCommand, SurfaceMeshArgs, SurfaceSplitArgs};
 use values::{
-    action_parser, compression_depth, height, package, seconds, setting, share, strategy_parser,
+    action_parser, parse_compression_depth, parse_height, parse_package, parse_seconds,
+    parse_setting, parse_share, strategy_parser,
 };
 
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
@@ -348,7 +349,7 @@ pub struct TaskArgs {
     #[arg(long, value_name = "N|TIME")]
     pub budget: Option<Budget>,
     /// Override a value of the task file; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
     pub settings: Vec<(String, String)>,
     /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
@@ -429,17 +430,17 @@ pub struct LoopArgs {
     #[arg(long, value_name = "ROBOT.toml", value_hint = ValueHint::FilePath, conflicts_with_all = ["resume", "executor"])]
     pub on: Option<PathBuf>,
     /// With --on: share of the planned speed, above 0 and at most 1
-    #[arg(long, value_name = "SHARE", requires = "on", default_value_t = 1.0, value_parser = share)]
+    #[arg(long, value_name = "SHARE", requires = "on", default_value_t = 1.0, value_parser = parse_share)]
     pub speed: f64,
     /// With --on: move at this height above the surface [m], without force, in one round; keeps no episode
-    #[arg(long, value_name = "METRES", requires = "on", conflicts_with_all = ["rounds", "greedy"], value_parser = height)]
+    #[arg(long, value_name = "METRES", requires = "on", conflicts_with_all = ["rounds", "greedy"], value_parser = parse_height)]
     pub air: Option<f64>,
     /// With --on: do not ask before each round whether the robot may move; the first stop then ends the run
     #[arg(long, requires = "on")]
     pub yes_every_round: bool,
     /// Stop waiting for the executor if for this many seconds it sends no message, makes no progress along its
     /// motion, or sends no "done" after its motion has ended or was stopped
-    #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", requires = "executor", default_value_t = 60.0, value_parser = parse_seconds)]
     pub timeout: f64,
     /// Publish the run so that `wisch studio` can show it live; needs a memory
     #[arg(long, conflicts_with = "no_memory")]
@@ -511,7 +512,7 @@ pub struct ReportArgs {
     #[arg(long, value_name = "N", requires = "task")]
     pub seed: Option<u64>,
     /// Override a value of the task file; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting, requires = "task")]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting, requires = "task")]
     pub settings: Vec<(String, String)>,
     /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "task")]
@@ -538,7 +539,7 @@ pub struct RobotArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub map: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = parse_package)]
     pub packages: Vec<(String, PathBuf)>,
 }
 
@@ -579,7 +580,7 @@ pub struct FootprintArgs {
     #[arg(value_name = "TOOL")]
     pub tool: String,
     /// Compression depth under nominal force [m]; required for a mesh file [default: the tool's]
-    #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = compression_depth)]
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = parse_compression_depth)]
     pub compression_depth_m: Option<f64>,
     /// Draw the footprint into this .svg file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]

@@ -65,7 +65,7 @@ fn a_film_is_what_the_page_sends_and_faults_leave_no_file() {
             r#"post("fault", b"there is no round 2: the run has 1")"#,
             "error: there is no round 2: the run has 1",
         ),
-        ("sys.exit(3)", "ended before it had recorded"),
+        ("sys.exit(3)", "ended before the recording was complete"),
         (r#"post("clip", b"")"#, "the clip is no WebM video"),
     ] {
         let (code, _, err) = film(folder.path(), end);

@@ -45,7 +45,7 @@ impl Baselines {
     pub fn update(
         &mut self,
         planned: &PlannedRound,
-        felt: &[TouchSample],
+        touches: &[TouchSample],
         goal: &GoalState,
     ) -> Result<Baseline, InterpretError> {
         let task = &planned.task;
@@ -87,7 +87,7 @@ impl Baselines {
             ..config
         };
         let mut touch = Interpreter::new(task, &paper)?;
-        for sample in felt {
+        for sample in touches {
             touch.push(sample)?;
         }
         let single = touch.conclude(&self.single, goal)?;

@@ -216,14 +216,14 @@ impl EvidenceFile {
         let code = CodeState::read(path, code)?;
         let part = MeasuredPart {
             code: code.clone(),
-            machine: machine(),
+            machine: describe_machine(),
         };
         let mut machines = BTreeSet::from([part.machine.clone()]);
         if let Some((folder, name)) = journal {
             machines.extend(join_part(folder, name, &part)?);
         }
         Ok(Self {
-            file: OutputFile::begin(path).map_err(|e| refused(path, &e.to_string()))?,
+            file: OutputFile::begin(path).map_err(|e| evidence_error(path, &e.to_string()))?,
             name: path
                 .file_stem()
                 .unwrap_or_default()
@@ -249,7 +249,7 @@ impl EvidenceFile {
             format: "wisch evidence",
             schema: SCHEMA,
             name: &self.name,
-            command: command(std::env::args()),
+            command: build_command_line(std::env::args()),
             seeds,
             seed_use: SeedUse::classify(first, last - first + 1).as_str(),
             cases,
@@ -261,9 +261,9 @@ impl EvidenceFile {
         };
         let path = Path::new(&self.name);
         let text = serde_json::to_string_pretty(&record);
-        let text = text.map_err(|error| refused(path, &error.to_string()))? + "\n";
+        let text = text.map_err(|error| evidence_error(path, &error.to_string()))? + "\n";
         let written = self.file.finish(text.as_bytes());
-        written.map_err(|error| refused(path, &error.to_string()))
+        written.map_err(|error| evidence_error(path, &error.to_string()))
     }
 }
 
@@ -277,7 +277,7 @@ impl CodeState {
         };
         let no_checkout = || {
             let help = "the working directory is not the root of a checkout of this repository; run the command there";
-            refused(file, help)
+            evidence_error(file, help)
         };
         if git(&["rev-parse", "--show-prefix"]).is_none_or(|prefix| !prefix.is_empty()) {
             return Err(no_checkout());
@@ -292,7 +292,7 @@ impl CodeState {
         if let Some(newer) = files.lines().find(|file| is_newer_than_program(file)) {
             let message =
                 format!("the program is older than {newer}; build it, so that it has this code");
-            return Err(refused(file, &message));
+            return Err(evidence_error(file, &message));
         }
         Ok(Self {
             commit: git(&["rev-parse", "--short=12", "HEAD"]).ok_or_else(no_checkout)?,
@@ -316,7 +316,7 @@ fn join_part(
     name: &str,
     part: &MeasuredPart,
 ) -> Result<Vec<BTreeMap<String, String>>, EvidenceError> {
-    let failed = |error: &dyn std::fmt::Display| refused(folder, &error.to_string());
+    let failed = |error: &dyn std::fmt::Display| evidence_error(folder, &error.to_string());
     fs::create_dir_all(folder).map_err(|error| failed(&error))?;
     let entries = fs::read_dir(folder).map_err(|error| failed(&error))?;
     let paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -335,14 +335,14 @@ fn join_part(
         let is_same = known.code.paths == part.code.paths;
         if !(is_same && known.code.is_committed && part.code.is_committed) {
             let message = "the folder has results of other code, or of code that is not committed; choose another folder with --out";
-            return Err(refused(folder, message));
+            return Err(evidence_error(folder, message));
         }
         machines.push(known.machine);
     }
     if known.is_empty() && !results.is_empty() {
         let message =
             "the folder has results whose code is unknown; choose another folder with --out";
-        return Err(refused(folder, message));
+        return Err(evidence_error(folder, message));
     }
     if !machines.contains(&part.machine) {
         let number = known.len() + 1;
@@ -355,7 +355,7 @@ fn join_part(
 }
 
 /// Returns the command line that repeats the measurement: without options that do not change the result.
-fn command(arguments: impl Iterator<Item = String>) -> Vec<String> {
+fn build_command_line(arguments: impl Iterator<Item = String>) -> Vec<String> {
     let mut kept = Vec::new();
     let mut arguments = arguments.peekable();
     if let Some(program) = arguments.next() {
@@ -384,7 +384,7 @@ fn command(arguments: impl Iterator<Item = String>) -> Vec<String> {
 }
 
 /// Describes the machine: processor, cores, worker threads and system. Unknown properties are missing.
-fn machine() -> BTreeMap<String, String> {
+fn describe_machine() -> BTreeMap<String, String> {
     let cores = std::thread::available_parallelism();
     let processors = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let mut lines = processors.lines();
@@ -403,7 +403,7 @@ fn machine() -> BTreeMap<String, String> {
     known.collect()
 }
 
-fn refused(path: &Path, message: &str) -> EvidenceError {
+fn evidence_error(path: &Path, message: &str) -> EvidenceError {
     EvidenceError {
         path: path.display().to_string(),
         message: message.to_owned(),
@@ -417,7 +417,7 @@ mod tests {
     #[test]
     fn the_command_has_what_changes_the_result() {
         let typed = "/a/wisch eval table1 --out=o --resume --set plan.variants=2 --evidence e.json --seeds=2 -q";
-        let kept = command(typed.split(' ').map(str::to_owned));
+        let kept = build_command_line(typed.split(' ').map(str::to_owned));
         assert_eq!(
             kept.join(" "),
             "wisch eval table1 --set plan.variants=2 --seeds=2"

@@ -66,7 +66,7 @@ const QUANTITIES: [(Quantity, &str, &str, usize); 13] = [
     (Quantity::ComputationS, "computation on one core", "s", 2),
 ];
 
-fn share_of(place: [&str; 3], hits: usize, trials: usize, noun: &'static str) -> Figure {
+fn build_share_figure(place: [&str; 3], hits: usize, trials: usize, noun: &'static str) -> Figure {
     let share = 100.0 * hits as f64 / trials as f64;
     let bounds = binomial_interval(hits, trials).map(|bound| 100.0 * bound);
     Figure::from_value(place, share, "%", 1)
@@ -74,19 +74,19 @@ fn share_of(place: [&str; 3], hits: usize, trials: usize, noun: &'static str) ->
         .with_count(trials, noun)
 }
 
-fn points(place: [&str; 3], value: f64, rounds: usize) -> Figure {
+fn build_points_figure(place: [&str; 3], value: f64, rounds: usize) -> Figure {
     let value = if rounds == 0 { f64::NAN } else { 100.0 * value };
     Figure::from_value(place, value, "points", 1).with_count(rounds, "rounds")
 }
 
-fn median(place: [&str; 3], of: Option<Quartiles>, runs: usize) -> Figure {
+fn build_median_figure(place: [&str; 3], of: Option<Quartiles>, runs: usize) -> Figure {
     let Quartiles([_, first, median, third, _]) = of.unwrap_or(Quartiles([f64::NAN; 5]));
     Figure::from_value(place, 100.0 * median, "%", 1)
         .with_interval(QUARTILES, [100.0 * first, 100.0 * third])
         .with_count(runs, "runs")
 }
 
-fn coverage(place: [&str; 3], level: &LevelCoverage, rounds: usize) -> Figure {
+fn build_coverage_figure(place: [&str; 3], level: &LevelCoverage, rounds: usize) -> Figure {
     let value = if rounds == 0 {
         f64::NAN
     } else {
@@ -106,7 +106,7 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
             Senses::TouchAndSight => SIGHT_90,
         });
         let table = ["estimators", &method.name];
-        figures.extend(method_figures(table, method, of.rounds, target));
+        figures.extend(list_method_figures(table, method, of.rounds, target));
     }
     for group in &of.groups {
         let target = match senses {
@@ -117,7 +117,7 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
         figures.push(Figure::from_count(place("worlds"), group.worlds));
         figures.push(Figure::from_count(place("rounds"), group.rounds));
         let row = ["kinds of world", &*group.name];
-        let scores = method_figures(row, &group.method, group.rounds, target).into_iter();
+        let scores = list_method_figures(row, &group.method, group.rounds, target).into_iter();
         let shown = ["CRPS", "error", "90 % interval", "width of 90 %"];
         let scores = scores.filter(|one| shown.contains(&&*one.column));
         let is_compared = group.kind == "disturbance" && senses == Senses::Touch;
@@ -128,24 +128,33 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
             "CRPS" if is_compared => figure.with_target([None, Some(most)], PROJECT),
             _ => figure,
         }));
-        figures.push(points(place("CRPS, force-blind"), blind, group.rounds));
-        figures.push(points(
+        figures.push(build_points_figure(
+            place("CRPS, force-blind"),
+            blind,
+            group.rounds,
+        ));
+        figures.push(build_points_figure(
             place("paper's error"),
             group.paper_error,
             group.rounds,
         ));
         let ended = (group.ended_at_90 * group.worlds as f64).round() as usize;
-        figures.push(share_of(place("end ≥ 90 %"), ended, group.worlds, "worlds"));
-        figures.extend(claim_figures(place, &group.claims, group.worlds));
+        figures.push(build_share_figure(
+            place("end ≥ 90 %"),
+            ended,
+            group.worlds,
+            "worlds",
+        ));
+        figures.extend(list_claim_figures(place, &group.claims, group.worlds));
     }
     let place = |row| ["goals and pushes", row, "result"];
     let claims = &of.claims;
-    let claimed = claim_figures(place, claims, of.worlds);
+    let claimed = list_claim_figures(place, claims, of.worlds);
     figures.extend(claimed.into_iter().map(|figure| match &*figure.row {
         "false claims" => figure.with_target(FALSE_CLAIMS, PROJECT),
         _ => figure,
     }));
-    let worlds = |row, count| share_of(place(row), count, of.worlds, "worlds");
+    let worlds = |row, count| build_share_figure(place(row), count, of.worlds, "worlds");
     figures.push(worlds("undecided by touch", claims.undecided_by_touch));
     let pushes = &of.pushes;
     for (row, count) in [
@@ -153,11 +162,16 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
         ("starts of pushes within 50 ms", pushes.starts),
         ("ends of pushes within 50 ms", pushes.ends),
     ] {
-        figures.push(share_of(place(row), count, pushes.pushes, "pushes"));
+        figures.push(build_share_figure(
+            place(row),
+            count,
+            pushes.pushes,
+            "pushes",
+        ));
     }
     for (row, count) in [
         ("detections at collisions with objects", pushes.obstructed),
-        ("false detections", pushes.invented),
+        ("false detections", pushes.false_detections),
     ] {
         let figure = Figure::from_count(place(row), count);
         figures.push(figure.with_count(pushes.undisturbed, "rounds without a push"));
@@ -165,7 +179,7 @@ pub fn calibration_figures(of: &Calibration, senses: Senses) -> Vec<Figure> {
     figures
 }
 
-fn method_figures(
+fn list_method_figures(
     [table, row]: [&str; 2],
     of: &MethodScores,
     rounds: usize,
@@ -173,30 +187,34 @@ fn method_figures(
 ) -> Vec<Figure> {
     let place = |column| [table, row, column];
     let mut figures = vec![
-        points(place("CRPS"), of.crps, rounds),
-        points(place("error"), of.error, rounds),
-        points(place("bias"), of.bias, rounds),
+        build_points_figure(place("CRPS"), of.crps, rounds),
+        build_points_figure(place("error"), of.error, rounds),
+        build_points_figure(place("bias"), of.bias, rounds),
     ];
     for level in &of.coverage {
         let name = format!("{} % interval", 100.0 * level.level);
-        let figure = coverage([table, row, &name], level, rounds);
+        let figure = build_coverage_figure([table, row, &name], level, rounds);
         figures.push(match target_90.filter(|_| level.level == 0.9) {
             Some(target) => figure.with_target(target, PROJECT),
             None => figure,
         });
         if level.level == 0.9 {
-            figures.push(points(place("width of 90 %"), level.width, rounds));
+            figures.push(build_points_figure(
+                place("width of 90 %"),
+                level.width,
+                rounds,
+            ));
         }
     }
     figures
 }
 
-fn claim_figures<'a>(
+fn list_claim_figures<'a>(
     place: impl Fn(&'a str) -> [&'a str; 3],
     of: &ClaimCounts,
     worlds: usize,
 ) -> Vec<Figure> {
-    let share = |name, count| share_of(place(name), count, worlds, "worlds");
+    let share = |name, count| build_share_figure(place(name), count, worlds, "worlds");
     vec![
         share("claimed", of.claimed),
         share("met", of.met),
@@ -271,7 +289,7 @@ pub fn table1_figures(rows: &[Table1Row], reached: [usize; 2]) -> Vec<Figure> {
 
 /// Lists the figures of a goal over seeds: of all its parts together, of each part, and of the times.
 pub fn goal_figures(of: &GoalScores) -> Vec<Figure> {
-    let share = |place, count| share_of(place, count, of.runs, "runs");
+    let share = |place, count| build_share_figure(place, count, of.runs, "runs");
     let of_all = |column| ["parts of the goal", "all parts", column];
     let mut figures = vec![
         share(of_all("reached"), of.reached).with_target(GOAL_REACHED, PROJECT),
@@ -283,7 +301,11 @@ pub fn goal_figures(of: &GoalScores) -> Vec<Figure> {
         figures.push(share(place("reached"), part.reached));
         figures.push(share(place("claimed"), part.claimed));
         figures.push(share(place("false claims"), part.false_claims));
-        figures.push(median(place("true performance"), part.truth, of.runs));
+        figures.push(build_median_figure(
+            place("true performance"),
+            part.truth,
+            of.runs,
+        ));
     }
     let time = |row, of_runs: Option<Quartiles>, unit, decimals| {
         let Quartiles([_, first, median, third, _]) = of_runs.unwrap_or(Quartiles([f64::NAN; 5]));
@@ -306,22 +328,31 @@ pub fn scenario_figures(all: &[ScenarioScores]) -> Vec<Figure> {
     for scores in all {
         let place = |column| ["scenarios", &*scores.scenario, column];
         let runs = scores.runs;
-        let moved = median(place("of the misplaced dirt, round 1"), scores.moved, runs);
+        let moved = build_median_figure(
+            place("of the misplaced dirt, round 1"),
+            scores.recovered,
+            runs,
+        );
         let target = FIG_13.iter().find(|(name, _)| *name == scores.scenario);
         figures.extend([
             Figure::from_count(place("runs"), runs),
-            median(place("true performance after round 1"), scores.first, runs),
+            build_median_figure(place("true performance after round 1"), scores.first, runs),
             match target {
                 Some((_, least)) => moved.with_target([Some(*least), None], PROJECT),
                 None => moved,
             },
-            median(place("true performance at the end"), scores.last, runs),
+            build_median_figure(place("true performance at the end"), scores.last, runs),
             Figure::from_count(place("goals met"), scores.met),
             Figure::from_count(place("goals claimed"), scores.claimed),
             Figure::from_count(place("false claims"), scores.false_claims)
                 .with_target([None, Some(0.0)], PROJECT),
-            share_of(place("90 % interval"), scores.held, scores.rounds, "rounds"),
-            points(
+            build_share_figure(
+                place("90 % interval"),
+                scores.covered,
+                scores.rounds,
+                "rounds",
+            ),
+            build_points_figure(
                 place("error"),
                 scores.error.unwrap_or(f64::NAN),
                 scores.rounds,
@@ -338,12 +369,16 @@ pub fn sweep_figures(cells: &[SweepCell], keys: &[String]) -> Vec<Figure> {
     for cell in cells {
         let pairs = keys.iter().zip(&cell.values);
         let row: Vec<String> = pairs.map(|(key, value)| format!("{key}={value}")).collect();
-        figures.extend(summary_figures(&row.join(", "), &cell.summary, cell.runs));
+        figures.extend(list_summary_figures(
+            &row.join(", "),
+            &cell.summary,
+            cell.runs,
+        ));
     }
     figures
 }
 
-fn summary_figures(row: &str, of: &QuantitySummary, runs: usize) -> Vec<Figure> {
+fn list_summary_figures(row: &str, of: &QuantitySummary, runs: usize) -> Vec<Figure> {
     let figure = |(quantity, column, unit, decimals): (Quantity, &str, &'static str, usize)| {
         let factor = if unit == "%" { 100.0 } else { 1.0 };
         let statistics = of.get(&quantity)?;

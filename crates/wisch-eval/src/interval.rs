@@ -25,18 +25,18 @@ pub fn binomial_interval(hits: usize, trials: usize) -> [f64; 2] {
     let low = if hits == 0 {
         0.0
     } else {
-        bound(0.025, &|share| 1.0 - at_most(hits - 1, trials, share))
+        bound(0.025, &|share| 1.0 - sum_binomial(hits - 1, trials, share))
     };
     let high = if hits >= trials {
         1.0
     } else {
-        bound(0.975, &|share| 1.0 - at_most(hits, trials, share))
+        bound(0.975, &|share| 1.0 - sum_binomial(hits, trials, share))
     };
     [low, high]
 }
 
 /// Returns the probability of at most `hits` out of `trials` (binomial distribution).
-fn at_most(hits: usize, trials: usize, share: f64) -> f64 {
+fn sum_binomial(hits: usize, trials: usize, share: f64) -> f64 {
     if share <= 0.0 {
         return 1.0;
     }

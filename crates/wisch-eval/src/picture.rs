@@ -45,11 +45,11 @@ impl Picture {
                     stroke
                         .poses
                         .iter()
-                        .map(|pose| place(pose.position))
+                        .map(|pose| to_coordinates(pose.position))
                         .collect()
                 })
                 .collect(),
-            before: before.remaining().map(place).collect(),
+            before: before.remaining().map(to_coordinates).collect(),
             left: Vec::new(),
             done: Vec::new(),
             lost: Vec::new(),
@@ -61,12 +61,12 @@ impl Picture {
                 Fate::OffSurface { .. } => &mut picture.lost,
                 Fate::OnSurface | Fate::Treated { .. } => &mut picture.left,
             };
-            kind.push(place(position));
+            kind.push(to_coordinates(position));
         }
         picture
     }
 }
 
-fn place(at: Point2) -> [f64; 2] {
+fn to_coordinates(at: Point2) -> [f64; 2] {
     [at.x, at.y].map(|coordinate| (coordinate * PER_METRE).round() / PER_METRE)
 }

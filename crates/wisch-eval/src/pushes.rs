@@ -28,7 +28,8 @@ pub struct PushCounts {
     #[serde(default)]
     pub obstructed: usize,
     /// False detections: in rounds without a push and without such a touch.
-    pub invented: usize,
+    #[serde(rename = "invented")]
+    pub false_detections: usize,
 }
 
 impl PushCounts {
@@ -60,7 +61,7 @@ impl PushCounts {
             obstructions.iter().any(|at| around(&at))
         };
         let obstructed = detected.iter().filter(is_obstructed).count();
-        let [obstructed, invented] = if is_undisturbed {
+        let [obstructed, false_detections] = if is_undisturbed {
             [obstructed, detected.len() - obstructed]
         } else {
             [0; 2]
@@ -70,7 +71,7 @@ impl PushCounts {
             undisturbed: usize::from(is_undisturbed),
             pushes: pushes.len(),
             obstructed,
-            invented,
+            false_detections,
             ..Self::default()
         };
         for [start, end] in pushes {
@@ -101,7 +102,7 @@ impl Add for PushCounts {
             starts: self.starts + other.starts,
             ends: self.ends + other.ends,
             obstructed: self.obstructed + other.obstructed,
-            invented: self.invented + other.invented,
+            false_detections: self.false_detections + other.false_detections,
         }
     }
 }
@@ -119,8 +120,8 @@ mod tests {
     #[test]
     fn touches_close_in_time_are_one_push() {
         let touches = [[1.0, 1.5], [1.7, 2.0], [5.0, 5.5], [9.0, 10.0]];
-        let told = [[1.02, 1.6], [1.65, 2.2]];
-        let counts = PushCounts::count(10.0, &touches, &[], &told);
+        let detected = [[1.02, 1.6], [1.65, 2.2]];
+        let counts = PushCounts::count(10.0, &touches, &[], &detected);
         let expected = PushCounts {
             rounds: 1,
             pushes: 2,
@@ -128,13 +129,19 @@ mod tests {
             starts: 1,
             ..PushCounts::default()
         };
-        assert_eq!(counts, expected, "the last is cut off, the second not told");
-        let calm = PushCounts::count(10.0, &[], &[], &told);
-        assert_eq!((calm.undisturbed, calm.invented, calm.pushes), (1, 2, 0));
+        assert_eq!(
+            counts, expected,
+            "the last is cut off, the second not detected"
+        );
+        let calm = PushCounts::count(10.0, &[], &[], &detected);
+        assert_eq!(
+            (calm.undisturbed, calm.false_detections, calm.pushes),
+            (1, 2, 0)
+        );
         // A cup is struck a moment before the detection.
-        let struck = PushCounts::count(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &told);
-        assert_eq!((struck.obstructed, struck.invented), (1, 1));
+        let struck = PushCounts::count(10.0, &[], &[[0.8, 0.9], [3.0, 3.1]], &detected);
+        assert_eq!((struck.obstructed, struck.false_detections), (1, 1));
         let both: PushCounts = [counts, calm].into_iter().sum();
-        assert_eq!((both.rounds, both.pushes, both.invented), (2, 2, 2));
+        assert_eq!((both.rounds, both.pushes, both.false_detections), (2, 2, 2));
     }
 }

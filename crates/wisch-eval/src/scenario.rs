@@ -1,6 +1,6 @@
 //! Runs of a scenario over many seeds: true and estimated performance of their rounds.
 
-use crate::simulated::{SimulatedWorld, robot_of, words};
+use crate::simulated::{SimulatedWorld, format_error, read_robot};
 use crate::trial::{BeliefScore, EvaluationError};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -56,7 +56,7 @@ impl ScenarioRun {
         rounds: Option<usize>,
         is_touch_only: bool,
     ) -> Result<Self, EvaluationError> {
-        evaluated(scenario, seed, rounds, is_touch_only)
+        evaluate_run(scenario, seed, rounds, is_touch_only)
             .map_err(|message| EvaluationError { seed, message })
     }
 
@@ -75,7 +75,7 @@ impl ScenarioRun {
     }
 }
 
-fn evaluated(
+fn evaluate_run(
     scenario: &str,
     seed: u64,
     rounds: Option<usize>,
@@ -90,9 +90,9 @@ fn evaluated(
         seed: Some(seed),
         ..LoadOptions::default()
     };
-    let loaded = load_task(Path::new(scenario), &options).map_err(words)?;
-    let robot = robot_of(&loaded)?;
-    let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(&loaded)?;
+    let loaded = load_task(Path::new(scenario), &options).map_err(format_error)?;
+    let robot = read_robot(&loaded)?;
+    let SimulatedWorld { mut world, dirt } = SimulatedWorld::draw(&loaded)?;
     let task = &loaded.task;
     let mut config = loaded.run.clone();
     config.max_rounds = rounds.unwrap_or(config.max_rounds);
@@ -101,7 +101,7 @@ fn evaluated(
     let mut session = session.with_robot(robot.robot_setup());
     session
         .run(&mut world, &mut |_| ControlFlow::Continue(()))
-        .map_err(words)?;
+        .map_err(format_error)?;
     let first = session.rounds().first();
     let goal = first.ok_or("no round was executed")?.motion.plan.graph.goal;
     let scored = session
@@ -110,7 +110,7 @@ fn evaluated(
         .zip(world.truth())
         .map(|(round, truth)| {
             let outcome = truth.performance(&goal, &round.motion.task.surface);
-            let outcome = outcome.map_err(words)?.ok_or("there is no dirt")?;
+            let outcome = outcome.map_err(format_error)?.ok_or("there is no dirt")?;
             let events = round.interpretation.events.iter();
             Ok(ScenarioRound {
                 outcome,
@@ -124,14 +124,14 @@ fn evaluated(
         scenario: scenario.to_owned(),
         seed,
         target,
-        before: before(&dirt, &goal, task)?,
+        before: measure_performance_before(&dirt, &goal, task)?,
         rounds: scored.collect::<Result<_, String>>()?,
     })
 }
 
 /// Returns the performance before wiping.
-fn before(dirt: &Dirt, goal: &GoalState, task: &Task) -> Result<f64, String> {
-    let particles = dirt.particles().map_err(words)?;
+fn measure_performance_before(dirt: &Dirt, goal: &GoalState, task: &Task) -> Result<f64, String> {
+    let particles = dirt.particles().map_err(format_error)?;
     Ok(Performance::evaluate(&particles, goal, &task.surface).ratio())
 }
 
@@ -174,9 +174,11 @@ pub struct ScenarioScores {
     /// True performance after the last round.
     pub last: Option<Quartiles>,
     /// Share of the initially misplaced dirt that has reached the goal after the first round.
-    pub moved: Option<Quartiles>,
+    #[serde(rename = "moved")]
+    pub recovered: Option<Quartiles>,
     /// Number of rounds whose 90 % interval contains the true performance.
-    pub held: usize,
+    #[serde(rename = "held")]
+    pub covered: usize,
     /// Mean absolute error of the estimate; `None` without rounds.
     pub error: Option<f64>,
     /// Number of runs whose goal was met at the end.
@@ -202,12 +204,12 @@ impl ScenarioScores {
             rounds: rounds.len(),
             first: Quartiles::from_values(first.map(|round| round.outcome).collect()),
             last: Quartiles::from_values(runs.iter().map(ScenarioRun::final_performance).collect()),
-            moved: Quartiles::from_values(
+            recovered: Quartiles::from_values(
                 runs.iter()
                     .filter_map(|run| run.recovered_share(1))
                     .collect(),
             ),
-            held: (rounds.iter())
+            covered: (rounds.iter())
                 .filter(|round| round.belief.holds(LEVEL_90, round.outcome))
                 .count(),
             error: (!rounds.is_empty()).then(|| error.sum::<f64>() / rounds.len() as f64),

@@ -97,7 +97,7 @@ fn is_undecided(verdict: &str) -> bool {
 }
 
 impl ClaimCounts {
-    fn of<'a>(worlds: impl Iterator<Item = &'a WorldScore>) -> Self {
+    fn count<'a>(worlds: impl Iterator<Item = &'a WorldScore>) -> Self {
         let mut counts = Self::default();
         for world in worlds {
             let Some(last) = world.rounds.last() else {
@@ -116,7 +116,7 @@ impl ClaimCounts {
 }
 
 impl MethodScores {
-    fn of_beliefs<'a>(
+    fn from_beliefs<'a>(
         name: &str,
         rounds: impl Iterator<Item = (&'a BeliefScore, f64)> + Clone,
     ) -> Self {
@@ -150,7 +150,7 @@ impl MethodScores {
         }
     }
 
-    fn of_numbers(name: &str, rounds: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
+    fn from_numbers(name: &str, rounds: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
         let n = rounds.clone().count().max(1) as f64;
         let error = rounds
             .clone()
@@ -173,17 +173,17 @@ impl Calibration {
         let rounds: Vec<&RoundScore> = worlds.iter().flat_map(|world| &world.rounds).collect();
         let each = || rounds.iter().copied();
         let mut methods = vec![
-            method(&rounds),
-            MethodScores::of_numbers("prediction", each().map(|r| (r.prediction, r.outcome))),
-            MethodScores::of_beliefs(
+            score_method(&rounds),
+            MethodScores::from_numbers("prediction", each().map(|r| (r.prediction, r.outcome))),
+            MethodScores::from_beliefs(
                 "force-blind replay",
                 each().map(|r| (&r.force_blind, r.outcome)),
             ),
-            MethodScores::of_numbers("the paper's rule", each().map(|r| (r.paper, r.outcome))),
+            MethodScores::from_numbers("the paper's rule", each().map(|r| (r.paper, r.outcome))),
         ];
         for (index, variant) in variants.iter().enumerate() {
             let all = each().filter_map(|r| Some((r.variants.get(index)?, r.outcome)));
-            methods.push(MethodScores::of_beliefs(&variant.name, all));
+            methods.push(MethodScores::from_beliefs(&variant.name, all));
         }
         let mut groups: BTreeMap<(usize, String), (&'static str, Vec<&WorldScore>)> =
             BTreeMap::new();
@@ -212,11 +212,11 @@ impl Calibration {
                 name,
                 worlds: worlds.len(),
                 rounds: rounds.len(),
-                method: method(&rounds),
+                method: score_method(&rounds),
                 force_blind_crps: blind.sum::<f64>() / rounds.len().max(1) as f64,
                 paper_error: errors.sum::<f64>() / rounds.len().max(1) as f64,
                 ended_at_90: well as f64 / worlds.len() as f64,
-                claims: ClaimCounts::of(worlds.into_iter()),
+                claims: ClaimCounts::count(worlds.into_iter()),
             }
         });
         Self {
@@ -224,14 +224,14 @@ impl Calibration {
             rounds: rounds.len(),
             methods,
             groups: groups.collect(),
-            claims: ClaimCounts::of(worlds.iter()),
+            claims: ClaimCounts::count(worlds.iter()),
             pushes: rounds.iter().map(|round| round.pushes).sum(),
         }
     }
 }
 
-fn method(rounds: &[&RoundScore]) -> MethodScores {
-    MethodScores::of_beliefs(
+fn score_method(rounds: &[&RoundScore]) -> MethodScores {
+    MethodScores::from_beliefs(
         "wisch",
         rounds.iter().map(|round| (&round.belief, round.outcome)),
     )

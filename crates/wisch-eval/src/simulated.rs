@@ -12,22 +12,22 @@ pub(crate) struct SimulatedWorld {
 
 impl SimulatedWorld {
     /// Draws the world of a task with the task's seed.
-    pub(crate) fn of(loaded: &LoadedTask) -> Result<Self, String> {
+    pub(crate) fn draw(loaded: &LoadedTask) -> Result<Self, String> {
         let settings = loaded.simulation.clone();
         let (site, seed) = (WorkSurface::from_task(&loaded.task), loaded.task.seed);
         Ok(Self {
-            dirt: Dirt::draw(&site, &settings, seed).map_err(words)?,
-            world: World::new(&site, settings, seed).map_err(words)?,
+            dirt: Dirt::draw(&site, &settings, seed).map_err(format_error)?,
+            world: World::new(&site, settings, seed).map_err(format_error)?,
         })
     }
 }
 
 /// Returns the robot of a task, or a message without a robot.
-pub(crate) fn robot_of(loaded: &LoadedTask) -> Result<Robot, String> {
-    let robot = loaded.robot().map_err(words)?;
+pub(crate) fn read_robot(loaded: &LoadedTask) -> Result<Robot, String> {
+    let robot = loaded.robot().map_err(format_error)?;
     robot.ok_or_else(|| "the scenario has no robot".to_owned())
 }
 
-pub(crate) fn words(error: impl std::fmt::Display) -> String {
+pub(crate) fn format_error(error: impl std::fmt::Display) -> String {
     error.to_string()
 }

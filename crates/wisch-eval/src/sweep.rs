@@ -85,7 +85,7 @@ impl FromStr for Axis {
                 let number = index + 1;
                 return Err(AxisError::EmptyValue { key, number });
             }
-            match range(value) {
+            match parse_range(value) {
                 None => values.push(value.to_owned()),
                 Some(Some(range)) => values.extend(range),
                 Some(None) => {
@@ -126,7 +126,7 @@ fn split(list: &str) -> Vec<&str> {
 
 /// Returns the values of a range beginning:end:step; `None` if the text is not a range, `Some(None)` if the range is invalid.
 /// Values have as many decimals as beginning and step, so that no value is 0.30000000000000004.
-fn range(text: &str) -> Option<Option<Vec<String>>> {
+fn parse_range(text: &str) -> Option<Option<Vec<String>>> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [begin, end, step] = parts[..] else {
         return None;
@@ -257,7 +257,7 @@ pub fn group_sweep_runs(cells: &[Vec<String>], runs: &[SweepRun]) -> Vec<SweepCe
         Some(SweepCell {
             values: values.clone(),
             runs: own.len(),
-            claimed: WipingScore::claimed(own),
+            claimed: WipingScore::count_claimed(own),
             summary: summarise_quantities(own.iter().copied()),
         })
     };

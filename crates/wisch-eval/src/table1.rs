@@ -232,7 +232,7 @@ pub fn build_table1_rows(runs: &[Table1Run]) -> Vec<Table1Row> {
             surface: task.place(),
             strategy: strategy.to_string(),
             runs: own.len(),
-            claimed: WipingScore::claimed(&own),
+            claimed: WipingScore::count_claimed(&own),
             paper,
             is_papers_own: papers.is_some(),
             is_reached: 100.0 * predicted >= paper.performance_percent - ROUNDING,

@@ -2,8 +2,8 @@
 
 use crate::baselines::Baselines;
 use crate::pushes::PushCounts;
-use crate::simulated::{robot_of, words};
-use crate::variants::{Seen, Variant, VariantBelief};
+use crate::simulated::{format_error, read_robot};
+use crate::variants::{CameraObservation, Variant, VariantBelief};
 use crate::world::{Senses, WorldCase};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -120,14 +120,14 @@ impl WorldCase {
         variants: &[Variant],
         settings: &[(String, String)],
     ) -> Result<WorldScore, EvaluationError> {
-        let evaluated = self.evaluated(senses, variants, settings);
+        let evaluated = self.try_evaluate(senses, variants, settings);
         evaluated.map_err(|message| EvaluationError {
             seed: self.seed,
             message,
         })
     }
 
-    fn evaluated(
+    fn try_evaluate(
         &self,
         senses: Senses,
         asked: &[Variant],
@@ -135,7 +135,7 @@ impl WorldCase {
     ) -> Result<WorldScore, String> {
         let begin = Instant::now();
         let loaded = self.load(senses, set)?;
-        let robot = robot_of(&loaded)?;
+        let robot = read_robot(&loaded)?;
         let settings = self.settings(&loaded.simulation, &loaded.task);
         let config = RunConfig {
             // The person who pushes lets go, and the robot resumes without an operator.
@@ -144,7 +144,7 @@ impl WorldCase {
         };
         let (target, sight) = (config.target, config.sight);
         let site = WorkSurface::from_task(&loaded.task);
-        let mut world = World::new(&site, settings, self.seed).map_err(words)?;
+        let mut world = World::new(&site, settings, self.seed).map_err(format_error)?;
         let prior = loaded.belief();
         let session = Session::new(&loaded.task, config).with_belief(prior.clone());
         let mut session = session.with_robot(robot.robot_setup());
@@ -154,7 +154,7 @@ impl WorldCase {
                 record.add(event);
                 ControlFlow::Continue(())
             })
-            .map_err(words)?;
+            .map_err(format_error)?;
         let first_observation = record.first_observation.as_ref();
         let mut scorer = RoundScorer::new(&loaded.task, prior, asked, first_observation, sight);
         let rounds = (session.rounds().iter())
@@ -185,7 +185,7 @@ impl WorldCase {
             action: Some(self.task.action()),
             ..LoadOptions::default()
         };
-        load_task(Path::new(self.task.scenario()), &options).map_err(words)
+        load_task(Path::new(self.task.scenario()), &options).map_err(format_error)
     }
 }
 
@@ -238,10 +238,10 @@ impl<'a> RoundScorer<'a> {
     ) -> Self {
         let baselines = Baselines::new(&prior, task);
         let mut before = prior;
-        if let Some(seen) = Seen::of(first_observation, sight) {
+        if let Some(observed) = CameraObservation::from_observation(first_observation, sight) {
             // As in the session: a goal area that the planner chooses is unknown at this point.
             let goal = task.goal().unwrap_or(GoalState::Skimmed);
-            before = before.observe(&seen.update(task, &goal));
+            before = before.observe(&observed.update(task, &goal));
         }
         Self {
             sight,
@@ -264,13 +264,17 @@ impl<'a> RoundScorer<'a> {
         let goal = *self.goal.get_or_insert(motion.plan.graph.goal);
         let outcome = truth.performance(&goal, &motion.task.surface);
         let outcome = outcome
-            .map_err(words)?
+            .map_err(format_error)?
             .ok_or("there is no dirt in this world")?;
-        let simpler = (self.baselines.update(motion, touch, &goal)).map_err(words)?;
-        let seen = Seen::of(interpretation.observation.as_ref(), self.sight);
+        let simpler = (self.baselines.update(motion, touch, &goal)).map_err(format_error)?;
+        let observed =
+            CameraObservation::from_observation(interpretation.observation.as_ref(), self.sight);
         let score_variant = |variant: &mut VariantBelief<'_>| {
-            let belief = variant.after(motion, touch, seen, &goal);
-            Ok(BeliefScore::evaluate(&belief.map_err(words)?, outcome))
+            let belief = variant.update_belief(motion, touch, observed, &goal);
+            Ok(BeliefScore::evaluate(
+                &belief.map_err(format_error)?,
+                outcome,
+            ))
         };
         let variants: Result<_, String> = self.variants.iter_mut().map(score_variant).collect();
         let events = interpretation.events.iter();

@@ -79,14 +79,17 @@ impl FromStr for Variant {
 
 /// The inputs of a belief update that do not depend on the round.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Seen<'a> {
+pub(crate) struct CameraObservation<'a> {
     pub(crate) observation: &'a Observation,
     pub(crate) sight: Sight,
 }
 
-impl<'a> Seen<'a> {
-    /// Model of the camera, if the robot has one.
-    pub(crate) fn of(observation: Option<&'a Observation>, sight: Option<Sight>) -> Option<Self> {
+impl<'a> CameraObservation<'a> {
+    /// Returns an observation with the model of its camera; `None` without an observation or a camera.
+    pub(crate) fn from_observation(
+        observation: Option<&'a Observation>,
+        sight: Option<Sight>,
+    ) -> Option<Self> {
         Some(Self {
             observation: observation?,
             sight: sight?,
@@ -122,11 +125,11 @@ impl<'a> VariantBelief<'a> {
     }
 
     /// Updates the belief with the measurements of a round and the observation after it.
-    pub(crate) fn after(
+    pub(crate) fn update_belief(
         &mut self,
         planned: &PlannedRound,
-        felt: &[TouchSample],
-        seen: Option<Seen<'_>>,
+        touches: &[TouchSample],
+        observed: Option<CameraObservation<'_>>,
         goal: &GoalState,
     ) -> Result<PerformanceDistribution, InterpretError> {
         let task = &planned.task;
@@ -134,12 +137,12 @@ impl<'a> VariantBelief<'a> {
         config.uncertainty = self.variant.uncertainty(config.uncertainty)?;
         config.replays = self.variant.members().unwrap_or(config.replays);
         let mut interpreter = Interpreter::new(task, &config)?;
-        for sample in felt {
+        for sample in touches {
             interpreter.push(sample)?;
         }
         let mut interpretation = interpreter.conclude(&self.belief, goal)?;
-        if let Some(seen) = seen {
-            interpretation.observe(&seen.update(task, goal));
+        if let Some(observed) = observed {
+            interpretation.observe(&observed.update(task, goal));
         }
         self.belief = interpretation.belief;
         Ok(interpretation.distribution)

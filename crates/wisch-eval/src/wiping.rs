@@ -1,7 +1,7 @@
 //! Scores of a task that is planned, followed or executed once.
 
 use crate::picture::Picture;
-use crate::simulated::{SimulatedWorld, robot_of, words};
+use crate::simulated::{SimulatedWorld, format_error, read_robot};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::time::Instant;
@@ -138,7 +138,7 @@ impl WipingScore {
     }
 
     /// Counts the runs that claimed the goal; `None` without execution.
-    pub(crate) fn claimed(runs: &[&Self]) -> Option<usize> {
+    pub(crate) fn count_claimed(runs: &[&Self]) -> Option<usize> {
         let executed: Vec<&ExecutionScore> = (runs.iter())
             .filter_map(|score| score.execution.as_ref())
             .collect();
@@ -155,23 +155,23 @@ impl WipingScore {
         load: &LoadOptions,
         options: WipingOptions,
     ) -> Result<Self, String> {
-        let loaded = load_task(scenario, load).map_err(words)?;
+        let loaded = load_task(scenario, load).map_err(format_error)?;
         let mut score = match options.extent {
-            WipingExtent::Planned => planned(&loaded, options)?,
-            WipingExtent::Followed => followed(&loaded, options)?,
-            WipingExtent::Executed => executed(&loaded, options)?,
+            WipingExtent::Planned => score_planned(&loaded, options)?,
+            WipingExtent::Followed => score_followed(&loaded, options)?,
+            WipingExtent::Executed => score_executed(&loaded, options)?,
         };
         if let Some(limit) = options.limit {
             let mut config = loaded.run.plan.clone();
             config.max_distance = Some(config.max_distance.map_or(limit, |most| most.min(limit)));
-            let plan = plan(&loaded.task, &config).map_err(words)?;
+            let plan = plan(&loaded.task, &config).map_err(format_error)?;
             score.limited = Some(predict(&loaded.task, &plan, |_| ()).performance.ratio());
         }
         Ok(score)
     }
 
     /// Makes the score of a plan. `wiped`: the plan without abandoned nodes.
-    fn predicted(task: &Task, plan: &Plan, wiped: &Plan, computation_s: f64) -> Self {
+    fn from_prediction(task: &Task, plan: &Plan, wiped: &Plan, computation_s: f64) -> Self {
         let performance = predict(task, wiped, |_| ()).performance;
         Self {
             strategy: plan.strategy.to_string(),
@@ -181,7 +181,7 @@ impl WipingScore {
             out_of_reach: plan.unreachable_share,
             planned: predict(task, plan, |_| ()).performance.ratio(),
             predicted: performance.ratio(),
-            predicted_loss: lost(&performance),
+            predicted_loss: find_lost_share(&performance),
             limited: None,
             motion: None,
             execution: None,
@@ -191,14 +191,15 @@ impl WipingScore {
     }
 }
 
-fn planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+fn score_planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
     let task = &loaded.task;
     let begin = Instant::now();
-    let mut session = session(loaded, options.is_certain);
-    (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events)).map_err(words)?;
+    let mut session = create_session(loaded, options.is_certain);
+    (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events))
+        .map_err(format_error)?;
     let computation_s = begin.elapsed().as_secs_f64();
     let plan = session.plan().ok_or("no plan was made")?;
-    let mut score = WipingScore::predicted(task, plan, plan, computation_s);
+    let mut score = WipingScore::from_prediction(task, plan, plan, computation_s);
     if options.is_pictured {
         let after = predict(task, plan, |_| ()).particles;
         score.picture = Some(Picture::new(task, plan, &task.particles, &after));
@@ -206,16 +207,16 @@ fn planned(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, S
     Ok(score)
 }
 
-fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
-    let robot = robot_of(loaded)?;
+fn score_followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+    let robot = read_robot(loaded)?;
     let begin = Instant::now();
-    let mut session = session(loaded, options.is_certain).with_robot(robot.robot_setup());
+    let mut session = create_session(loaded, options.is_certain).with_robot(robot.robot_setup());
     let mut none = NoExecutor;
-    (session.run_until(Stage::Followed, &mut none, &mut ignore_events)).map_err(words)?;
+    (session.run_until(Stage::Followed, &mut none, &mut ignore_events)).map_err(format_error)?;
     let computation_s = begin.elapsed().as_secs_f64();
-    (session.run_until(Stage::Audited, &mut none, &mut ignore_events)).map_err(words)?;
+    (session.run_until(Stage::Audited, &mut none, &mut ignore_events)).map_err(format_error)?;
     let (first, audit) = session.first_motion().ok_or("no motion was made")?;
-    let mut score = first_round(first, audit, computation_s);
+    let mut score = score_first_round(first, audit, computation_s);
     if options.is_pictured {
         let (task, wiped) = (&first.task, first.executable_plan());
         let after = &first.prediction.particles;
@@ -224,24 +225,26 @@ fn followed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
     Ok(score)
 }
 
-fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
-    let robot = robot_of(loaded)?;
-    let SimulatedWorld { mut world, dirt } = SimulatedWorld::of(loaded)?;
+fn score_executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, String> {
+    let robot = read_robot(loaded)?;
+    let SimulatedWorld { mut world, dirt } = SimulatedWorld::draw(loaded)?;
     let begin = Instant::now();
-    let mut session = session(loaded, false).with_robot(robot.robot_setup());
-    (session.run_until(Stage::Followed, &mut world, &mut ignore_events)).map_err(words)?;
+    let mut session = create_session(loaded, false).with_robot(robot.robot_setup());
+    (session.run_until(Stage::Followed, &mut world, &mut ignore_events)).map_err(format_error)?;
     let computation_s = begin.elapsed().as_secs_f64();
-    session.run(&mut world, &mut ignore_events).map_err(words)?;
+    session
+        .run(&mut world, &mut ignore_events)
+        .map_err(format_error)?;
     let (first, audit) = session.first_motion().ok_or("no motion was made")?;
     let (goal, surface) = (first.plan.graph.goal, &first.task.surface);
-    let before = dirt.particles().map_err(words)?;
+    let before = dirt.particles().map_err(format_error)?;
     let performance =
         |particles: &ParticleDistribution| Performance::evaluate(particles, &goal, surface);
     let truths = world.truth().iter().map(GroundTruth::particles);
     let truths: Vec<ParticleDistribution> = truths
         .filter_map(Result::transpose)
         .collect::<Result<_, _>>()
-        .map_err(words)?;
+        .map_err(format_error)?;
     // A motion that fails its check is not executed and has no effect.
     let after = truths.last().unwrap_or(&before);
     let rounds = session.rounds();
@@ -250,14 +253,14 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
         .ok_or("no round was executed: the audit found faults")?;
     let estimate = last.interpretation.performance;
     let end = performance(after);
-    let mut score = first_round(first, audit, computation_s);
+    let mut score = score_first_round(first, audit, computation_s);
     score.execution = Some(ExecutionScore {
         rounds: rounds.len(),
         duration_s: rounds.iter().map(|round| round.execution.duration).sum(),
         before: performance(&before).ratio(),
         first: performance(truths.first().unwrap_or(&before)).ratio(),
         truth: end.ratio(),
-        loss: lost(&end),
+        loss: find_lost_share(&end),
         estimated: estimate.mean,
         low: estimate.low,
         high: estimate.high,
@@ -280,7 +283,7 @@ fn executed(loaded: &LoadedTask, options: WipingOptions) -> Result<WipingScore, 
 }
 
 /// Makes the score of the first round's motion.
-fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> WipingScore {
+fn score_first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> WipingScore {
     let followed = &first.followed;
     WipingScore {
         motion: Some(MotionScore {
@@ -290,7 +293,7 @@ fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> Wipin
             contact_s: followed.contact_time(),
             faults: audit.faults.len(),
         }),
-        ..WipingScore::predicted(
+        ..WipingScore::from_prediction(
             &first.task,
             &first.plan,
             &first.executable_plan(),
@@ -300,7 +303,7 @@ fn first_round(first: &PlannedRound, audit: &Audit, computation_s: f64) -> Wipin
 }
 
 /// Makes a new session without a robot.
-fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
+fn create_session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
     let config = RunConfig {
         // The effect of bad plans is part of the evaluation, so the minimum score does not apply.
         min_score: f64::NEG_INFINITY,
@@ -314,6 +317,6 @@ fn session(loaded: &LoadedTask, is_certain: bool) -> Session<'static> {
     }
 }
 
-fn lost(performance: &Performance) -> f64 {
+fn find_lost_share(performance: &Performance) -> f64 {
     performance.lost as f64 / performance.initial.max(1) as f64
 }

@@ -1,6 +1,6 @@
 //! The drawing of an estimator's calibration: reliability and width of its intervals.
 
-use crate::draw::{Figure, Panel, Pen, axes, legend, percent, px};
+use crate::draw::{Figure, Panel, Pen, axes, format_percent, legend, px};
 use maud::{Markup, html};
 
 const WIDTH: f64 = 760.0;
@@ -26,7 +26,7 @@ pub struct CalibrationLevel {
     /// Nominal probability of the interval \[1\].
     pub level: f64,
     /// Observed share of outcomes within the interval \[1\].
-    pub held: f64,
+    pub coverage: f64,
     /// The 95 % interval of that share \[1\].
     pub bounds: [f64; 2],
     /// Mean width of the interval \[1\].
@@ -50,20 +50,20 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
         .fold(0.1, f64::max);
     let body = html! {
         text class="text small quiet" x="8" y="14" { "share of outcomes within the interval" }
-        (axes::beside(axes::quarters(down), RELIABILITY, 6.0))
-        (axes::below(level_ticks(RELIABILITY), BOTTOM, 18.0))
+        (axes::draw_ticks_beside(axes::list_quarters(map_down), RELIABILITY, 6.0))
+        (axes::draw_ticks_below(list_level_ticks(RELIABILITY), BOTTOM, 18.0))
         (draw_diagonal(RELIABILITY))
         @for (curve, class) in with_class() {
-            (draw_curve(curve, class, RELIABILITY, |level| down(level.held)))
+            (draw_curve(curve, class, RELIABILITY, |level| map_down(level.coverage)))
             @for level in &curve.levels {
-                (draw_whisker(across(level.level, RELIABILITY), level.bounds))
+                (draw_whisker(map_across(level.level, RELIABILITY), level.bounds))
             }
         }
-        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (percent(widest)) ")" }
-        (axes::beside(width_ticks(widest), WIDTHS, 6.0))
-        (axes::below(level_ticks(WIDTHS), BOTTOM, 18.0))
+        text class="text small quiet" x=(px(WIDTHS[0] - 44.0)) y="14" { "mean width of the interval (largest: " (format_percent(widest)) ")" }
+        (axes::draw_ticks_beside(list_width_ticks(widest), WIDTHS, 6.0))
+        (axes::draw_ticks_below(list_level_ticks(WIDTHS), BOTTOM, 18.0))
         @for (curve, class) in with_class() {
-            (draw_curve(curve, class, WIDTHS, |level| down(level.width / widest)))
+            (draw_curve(curve, class, WIDTHS, |level| map_down(level.width / widest)))
         }
         @for ends in [RELIABILITY, WIDTHS] {
             path class="axis" d=(format!("M{} {}H{}", px(ends[0]), px(BOTTOM), px(ends[1]))) {}
@@ -84,24 +84,24 @@ pub fn calibration_drawing(title: &str, what: &str, curves: &[CalibrationCurve])
     figure.standalone(title, [12.0, 12.0])
 }
 
-fn across(share: f64, [left, right]: [f64; 2]) -> f64 {
+fn map_across(share: f64, [left, right]: [f64; 2]) -> f64 {
     left + (right - left) * share.clamp(0.0, 1.0)
 }
 
-fn down(share: f64) -> f64 {
+fn map_down(share: f64) -> f64 {
     BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
 }
 
-fn level_ticks(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
+fn list_level_ticks(ends: [f64; 2]) -> impl Iterator<Item = (f64, String)> {
     [0.0, 0.5, 0.8, 0.95]
         .into_iter()
-        .map(move |share| (across(share, ends), percent(share)))
+        .map(move |share| (map_across(share, ends), format_percent(share)))
 }
 
-fn width_ticks(widest: f64) -> impl Iterator<Item = (f64, String)> {
+fn list_width_ticks(widest: f64) -> impl Iterator<Item = (f64, String)> {
     (0..=4).map(move |quarter| {
         let share = f64::from(quarter) / 4.0;
-        (down(share), percent(share * widest))
+        (map_down(share), format_percent(share * widest))
     })
 }
 
@@ -120,13 +120,13 @@ fn draw_curve(
     let points = curve
         .levels
         .iter()
-        .map(|level| (across(level.level, ends), y(level)));
+        .map(|level| (map_across(level.level, ends), y(level)));
     pen.line(points);
     html! { path class=(class) d=(pen.path()) {} }
 }
 
 fn draw_whisker(x: f64, [low, high]: [f64; 2]) -> Markup {
-    let d = format!("M{} {}V{}", px(x), px(down(low)), px(down(high)));
+    let d = format!("M{} {}V{}", px(x), px(map_down(low)), px(map_down(high)));
     html! { path class="whisker" d=(d) {} }
 }
 
@@ -138,7 +138,7 @@ mod tests {
     fn a_drawing_has_a_line_and_its_whiskers_for_each_curve() {
         let level = |level: f64| CalibrationLevel {
             level,
-            held: level - 0.1,
+            coverage: level - 0.1,
             bounds: [level - 0.15, level],
             width: 0.2,
         };
@@ -150,6 +150,6 @@ mod tests {
         assert_eq!(svg.matches("class=\"whisker\"").count(), 4);
         assert!(svg.contains("one") && svg.contains("other"));
         // 40 % of the outcomes are within the 50 % interval.
-        assert!(svg.contains(&px(down(0.4))));
+        assert!(svg.contains(&px(map_down(0.4))));
     }
 }

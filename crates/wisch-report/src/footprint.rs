@@ -30,7 +30,7 @@ pub fn footprint_drawing(tool: &Tool) -> String {
     let bar = round_length(side * SCALE_BAR_SHARE);
     let (left, top, bottom) = (-0.92 * half, -0.92 * half + 0.5 * text, 0.92 * half);
     let above_bar = bottom - 0.4 * text;
-    let (name, outline) = (escape(&tool.name), outline(tool));
+    let (name, outline) = (escape(&tool.name), format_outline(tool));
     // Layers from below: background, collision sphere, footprint, tool centre point with its direction of motion, scale.
     format!(
         r##"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{WIDTH}" viewBox="{low:.3} {low:.3} {side:.3} {side:.3}" font-family="sans-serif" font-size="{text:.3}">
@@ -49,7 +49,7 @@ pub fn footprint_drawing(tool: &Tool) -> String {
 }
 
 /// Formats all rings as one path. The picture's y axis points down, the tool's up.
-fn outline(tool: &Tool) -> String {
+fn format_outline(tool: &Tool) -> String {
     let mut path = String::new();
     for ring in tool.footprint.polygons().iter().flat_map(|p| p.rings()) {
         for (i, Point2 { coords }) in ring.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The page of an interpreted log: path, force, fitted plane and estimated dirt.
 
-use crate::draw::{GAP, metres};
+use crate::draw::{GAP, format_decimal};
 use crate::page::document::document;
 use crate::rounds::{RoundView, RoundsInput, log_figures, words};
 use maud::{Markup, PreEscaped, html};
@@ -37,10 +37,10 @@ pub fn log_page(input: &LogPageInput) -> String {
             p class="note" { (note) }
         }
         @for round in input.rounds.rounds {
-            @for figure in figures(input, round) {
+            @for figure in draw_figures(input, round) {
                 figure { (PreEscaped(figure)) }
             }
-            (events(&round.interpretation.events))
+            (list_events(&round.interpretation.events))
         }
         footer class="note" {
             "Made by wisch from a log of tool poses and forces. The dirt is estimated from touch, without a camera."
@@ -49,7 +49,7 @@ pub fn log_page(input: &LogPageInput) -> String {
     document(input.title, STYLE, &main)
 }
 
-fn figures(input: &LogPageInput, round: &RoundView) -> Vec<String> {
+fn draw_figures(input: &LogPageInput, round: &RoundView) -> Vec<String> {
     let figures = log_figures(input.rounds, round).into_iter();
     let drawn = figures.map(|figure| {
         let what = figure.what.clone();
@@ -58,7 +58,7 @@ fn figures(input: &LogPageInput, round: &RoundView) -> Vec<String> {
     drawn.collect()
 }
 
-fn events(events: &[Event]) -> Markup {
+fn list_events(events: &[Event]) -> Markup {
     html! {
         @if !events.is_empty() {
             h2 { "Events" }
@@ -72,8 +72,8 @@ fn events(events: &[Event]) -> Markup {
                         @for event in events.iter().take(MAX_EVENTS) {
                             tr {
                                 td { (words::kind_name(event.kind)) }
-                                td { (metres(event.start, 2)) } td { (metres(event.end, 2)) }
-                                td { (metres(event.peak_force, 1)) }
+                                td { (format_decimal(event.start, 2)) } td { (format_decimal(event.end, 2)) }
+                                td { (format_decimal(event.peak_force, 1)) }
                             }
                         }
                     }

@@ -39,7 +39,7 @@ pub fn patches_drawing(input: &PatchesInput) -> String {
             path class="outline" d=(view.rings(patch.rings())) {}
         }
         @for (index, patch) in input.patches.iter().enumerate() {
-            @let (x, y) = view.at(innermost(patch));
+            @let (x, y) = view.at(find_innermost(patch));
             text class="text strong middle halo" x=(px(x)) y=(px(y + 5.0)) { (index + 1) }
         }
         (view.axes())
@@ -212,7 +212,7 @@ pub fn steps_page(title: &str, facts: &[(String, String)], steps: &[StepRow]) ->
 const PLACES: u32 = 24;
 
 /// Returns the place within a patch that is farthest from its border.
-fn innermost(patch: &Polygon) -> Point2 {
+fn find_innermost(patch: &Polygon) -> Point2 {
     let Some(bounds) = Bounds2::from_points(patch.outer().iter().copied()) else {
         return Point2::origin();
     };

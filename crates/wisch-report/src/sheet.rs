@@ -1,6 +1,6 @@
 //! The drawing of an unrolled surface: how much it is stretched, and where a tool touches it with its whole footprint.
 
-use crate::draw::{BANDS, Panel, Pen, View, decimals, metres, px};
+use crate::draw::{BANDS, Panel, Pen, View, count_decimals, format_decimal, px};
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Sheet, SheetPoint, Vector2};
 
@@ -151,15 +151,15 @@ fn draw_map(sheet: &Sheet, map: &Map, number: usize) -> Panel {
 /// Draws the colours with their values; the last colour is above the limit.
 fn draw_scale(map: &Map) -> Markup {
     let step = map.limit / BANDS as f64;
-    let digits = decimals(step) + 1;
+    let digits = count_decimals(step) + 1;
     let end = BANDS as f64 * BAND_WIDTH;
     html! {
         @for band in 0..BANDS {
             @let x = BAND_WIDTH * band as f64;
             rect class=(format!("band-{}", band + 1)) x=(px(x)) y="0" width=(px(BAND_WIDTH)) height="14" {}
-            text class="text small quiet middle" x=(px(x)) y="28" { (metres(step * band as f64, digits)) }
+            text class="text small quiet middle" x=(px(x)) y="28" { (format_decimal(step * band as f64, digits)) }
         }
-        text class="text small quiet middle" x=(px(end)) y="28" { (metres(map.limit, digits)) " " (map.unit) }
+        text class="text small quiet middle" x=(px(end)) y="28" { (format_decimal(map.limit, digits)) " " (map.unit) }
         rect class="beyond-limit" x=(px(end + 30.0)) y="0" width="24" height="14" {}
         text class="text small" x=(px(end + 62.0)) y="11" { (map.above) }
     }

@@ -389,14 +389,25 @@ fn a_ring_of_contours_is_hollow() {
 
 #[test]
 fn numbers_are_written_for_people() {
-    use crate::draw::{decimals, metres, percent, px, tick_step};
-    assert_eq!(metres(-0.25, 2), "\u{2212}0.25");
-    assert_eq!(metres(-0.001, 2), "0.00");
-    assert_eq!(percent(0.84255), "84.3 %");
+    use crate::draw::{count_decimals, find_tick_step, format_decimal, format_percent, px};
+    assert_eq!(format_decimal(-0.25, 2), "\u{2212}0.25");
+    assert_eq!(format_decimal(-0.001, 2), "0.00");
+    assert_eq!(format_percent(0.84255), "84.3 %");
     assert_eq!([px(-0.04), px(3.0), px(-2.25)], ["0", "3", "-2.3"]);
     assert_eq!(
-        [tick_step(0.07), tick_step(0.2), tick_step(3.0)],
+        [
+            find_tick_step(0.07),
+            find_tick_step(0.2),
+            find_tick_step(3.0)
+        ],
         [0.1, 0.2, 5.0]
     );
-    assert_eq!([decimals(0.1), decimals(0.05), decimals(5.0)], [1, 2, 0]);
+    assert_eq!(
+        [
+            count_decimals(0.1),
+            count_decimals(0.05),
+            count_decimals(5.0)
+        ],
+        [1, 2, 0]
+    );
 }

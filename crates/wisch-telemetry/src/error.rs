@@ -349,7 +349,7 @@ pub enum ReadFault {
     },
     /// All wrenches of the log are stale, saturated or untared.
     #[error(
-        "the wrenches of all {count} samples are stale, saturated, untared or with a frozen pose, so the log shows no touch"
+        "all {count} samples have a stale, saturated or untared wrench, or a frozen pose, so the log shows no touch"
     )]
     UnusableWrenches {
         /// Number of samples.

@@ -1,6 +1,6 @@
 //! Arguments of `eval`.
 
-use super::values::{setting, strategy_parser};
+use super::values::{parse_setting, strategy_parser};
 use clap::{Args, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -138,7 +138,7 @@ pub struct SeedArgs {
 pub struct Table1Args {
     /// Cells of the table: surfaces (board, table, windshield), actions, or SURFACE/ACTION, such as board/absorb
     /// [default: all nine]
-    #[arg(long, value_name = "CELL,…", value_delimiter = ',', value_parser = cells)]
+    #[arg(long, value_name = "CELL,…", value_delimiter = ',', value_parser = parse_cells)]
     pub cells: Vec<Cells>,
     /// Strategies that plan the strokes [default: all that suit these actions, thus not lanes]
     #[arg(long, value_name = "STRATEGY,…", value_delimiter = ',', value_parser = strategy_parser())]
@@ -153,7 +153,7 @@ pub struct Table1Args {
     #[arg(long, conflicts_with_all = ["follow", "execute"])]
     pub within_shortest: bool,
     /// Override a value of every task; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
     pub settings: Vec<(String, String)>,
     /// The part to do.
     #[command(flatten)]
@@ -173,7 +173,7 @@ pub struct Table1Args {
 #[derive(Debug, Clone)]
 pub struct Cells(pub Vec<TaskCase>);
 
-fn cells(text: &str) -> Result<Cells, wisch_eval::UnknownCell> {
+fn parse_cells(text: &str) -> Result<Cells, wisch_eval::UnknownCell> {
     TaskCase::parse(text).map(Cells)
 }
 
@@ -284,7 +284,7 @@ pub struct CalibrationArgs {
     #[arg(long, value_name = "NAME:FIELD=VALUE[,…]")]
     pub variant: Vec<Variant>,
     /// Override a value of every task, such as execution.grains_resist=false; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
     pub settings: Vec<(String, String)>,
     /// Folder for the results
     #[arg(long, value_name = "DIR", default_value = "out/calibration", value_hint = ValueHint::DirPath)]

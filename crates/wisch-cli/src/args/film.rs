@@ -20,10 +20,10 @@ pub struct FilmArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub round: Option<u32>,
     /// Speed relative to the robot's clock: 1, 2, 5 or 10
-    #[arg(long, value_name = "FACTOR", default_value = "5", value_parser = film_speed)]
+    #[arg(long, value_name = "FACTOR", default_value = "5", value_parser = parse_film_speed)]
     pub speed: u32,
     /// Size of the page whose scene is recorded [pixels]
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1600x1000", value_parser = film_size)]
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1600x1000", value_parser = parse_film_size)]
     pub size: [u32; 2],
     /// Program of the browser [default: Chromium, Chrome or Edge in PATH]
     #[arg(long, value_name = "FILE", value_hint = ValueHint::ExecutablePath)]
@@ -34,7 +34,7 @@ pub struct FilmArgs {
 }
 
 /// Parses the speed of a film.
-fn film_speed(text: &str) -> Result<u32, String> {
+fn parse_film_speed(text: &str) -> Result<u32, String> {
     let speed = text.parse().ok();
     speed
         .filter(|speed| [1, 2, 5, 10].contains(speed))
@@ -42,7 +42,7 @@ fn film_speed(text: &str) -> Result<u32, String> {
 }
 
 /// Parses the size of a page [pixels].
-fn film_size(text: &str) -> Result<[u32; 2], String> {
+fn parse_film_size(text: &str) -> Result<[u32; 2], String> {
     let sides = text.split_once('x').and_then(|(width, height)| {
         Some([width.parse::<u32>().ok()?, height.parse::<u32>().ok()?])
     });

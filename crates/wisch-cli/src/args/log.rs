@@ -1,6 +1,6 @@
 //! Arguments of `interpret`, and the options that describe a log's format.
 
-use super::values::{action_parser, setting};
+use super::values::{action_parser, parse_setting};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ pub struct LoggedArgs {
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     /// Override a value of the task file; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting)]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting)]
     pub settings: Vec<(String, String)>,
     /// Knowledge base: folder with tools, media, surfaces, interactions and PDDL domain [default: built in]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
@@ -70,7 +70,7 @@ pub struct LogArgs {
     pub wrench_topic: Option<String>,
     /// Columns of a table that are not recognised automatically. NAME is t, x, y, z, fx, fy, fz, or for the orientation
     /// qx, qy, qz, qw or rx, ry, rz or roll, pitch, yaw or a, b, c or m0 to m15
-    #[arg(long, value_name = "NAME=COLUMN", value_delimiter = ',', value_parser = setting)]
+    #[arg(long, value_name = "NAME=COLUMN", value_delimiter = ',', value_parser = parse_setting)]
     pub csv_columns: Vec<(String, String)>,
     /// Frame in whose axes the force is expressed: the task's world, the reference frame of the logged poses (log),
     /// the frame whose pose is logged (tool), or the surface [default: as stated in the log, or tool]
@@ -80,34 +80,34 @@ pub struct LogArgs {
     #[arg(long, value_name = "SIGN", value_parser = sign_parser())]
     pub wrench_sign: Option<WrenchSign>,
     /// Sensor reading without any contact [N], in the sensor's axes; it is subtracted from the measured force first
-    #[arg(long, num_args = 3, value_names = AXIS_NAMES, allow_negative_numbers = true, value_parser = finite)]
+    #[arg(long, num_args = 3, value_names = AXIS_NAMES, allow_negative_numbers = true, value_parser = parse_finite)]
     pub force_bias: Vec<f64>,
     /// Factor on the measured force after its bias is subtracted
-    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = positive)]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = parse_positive)]
     pub force_scale: Option<f64>,
     /// Mass of the payload behind the force sensor [kg]; its weight, along the world's -z, and its inertia are subtracted
     /// from the force at each pose
-    #[arg(long, value_name = "KG", allow_negative_numbers = true, value_parser = not_negative)]
+    #[arg(long, value_name = "KG", allow_negative_numbers = true, value_parser = parse_not_negative)]
     pub payload_mass: Option<f64>,
     /// Centre of mass of the payload in the logged frame [m]; it affects only torques, which wisch does not read
     /// [default: 0 0 0]
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, value_parser = finite, requires = "payload_mass")]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, value_parser = parse_finite, requires = "payload_mass")]
     pub payload_centre: Vec<f64>,
     /// Form of the orientations in a table [default: from the column names]
     #[arg(long, value_name = "FORM", value_parser = orientation_parser())]
     pub orientation: Option<OrientationForm>,
     /// Sampling rate of a table without a time column [Hz]
-    #[arg(long, value_name = "HZ", value_parser = unit)]
+    #[arg(long, value_name = "HZ", value_parser = parse_unit)]
     pub rate: Option<f64>,
     /// Times of a bag's messages: the stamps in their headers, or the times at which they were recorded
     #[arg(long, value_name = "CLOCK", default_value = Clock::Header.as_str(), value_parser = clock_parser())]
     pub time: Clock,
     /// Longest delay of a message or line against the order of times; a longer delay is an error [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = unit)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = parse_unit)]
     pub reorder_s: f64,
     /// Orientation of the force sensor in the frame whose pose is logged: roll, pitch, yaw [rad]
     /// [default: from the log's transforms]
-    #[arg(long, num_args = 3, value_names = TURN_NAMES, allow_negative_numbers = true, value_parser = finite, conflicts_with = "wrench_frame")]
+    #[arg(long, num_args = 3, value_names = TURN_NAMES, allow_negative_numbers = true, value_parser = parse_finite, conflicts_with = "wrench_frame")]
     pub sensor_frame: Vec<f64>,
     /// Name of the frame whose pose is logged, if the log does not state it
     #[arg(long, value_name = "FRAME")]
@@ -125,23 +125,23 @@ pub struct LogArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub urdf: Option<PathBuf>,
     /// Unit of force in the log [N] [default: from the table's units, or 1]
-    #[arg(long, value_name = "NEWTONS", value_parser = unit)]
+    #[arg(long, value_name = "NEWTONS", value_parser = parse_unit)]
     pub force_unit_n: Option<f64>,
     /// Unit of length in the log [m] [default: from the table's units, or 1]
-    #[arg(long, value_name = "METRES", value_parser = unit)]
+    #[arg(long, value_name = "METRES", value_parser = parse_unit)]
     pub length_unit_m: Option<f64>,
     /// Unit of time in a table [s] [default: from its units or the magnitude of its times]
-    #[arg(long, value_name = "SECONDS", value_parser = unit)]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_unit)]
     pub time_unit_s: Option<f64>,
     /// Pose of the tool frame (contact point) in the logged frame: position [m], roll, pitch, yaw [rad]
-    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
+    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = parse_finite)]
     pub pose_offset: Vec<f64>,
     /// Pose of the log's reference frame in the task's world: position [m], roll, pitch, yaw [rad]
     /// [default: from the log's transforms, else identity]
-    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = finite)]
+    #[arg(long, num_args = 6, value_names = POSE_NAMES, allow_negative_numbers = true, value_parser = parse_finite)]
     pub world_from_log: Vec<f64>,
     /// Longest gap between samples to interpolate [s]
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.1, value_parser = unit)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.1, value_parser = parse_unit)]
     pub max_gap_s: f64,
 }
 
@@ -184,8 +184,8 @@ fn clock_parser() -> impl TypedValueParser<Value = Clock> {
     })
 }
 
-fn unit(text: &str) -> Result<f64, String> {
-    let unit = finite(text)?;
+fn parse_unit(text: &str) -> Result<f64, String> {
+    let unit = parse_finite(text)?;
     if (UNIT_LIMITS[0]..=UNIT_LIMITS[1]).contains(&unit) {
         Ok(unit)
     } else {
@@ -197,21 +197,21 @@ fn unit(text: &str) -> Result<f64, String> {
 /// Limits of a log's units in SI units: wide enough for nanoseconds and kilometres.
 const UNIT_LIMITS: [f64; 2] = [1e-9, 1e9];
 
-fn positive(text: &str) -> Result<f64, String> {
-    match finite(text)? {
+fn parse_positive(text: &str) -> Result<f64, String> {
+    match parse_finite(text)? {
         number if number > 0.0 => Ok(number),
         number => Err(format!("{number} is not above 0")),
     }
 }
 
-fn not_negative(text: &str) -> Result<f64, String> {
-    match finite(text)? {
+fn parse_not_negative(text: &str) -> Result<f64, String> {
+    match parse_finite(text)? {
         number if number >= 0.0 => Ok(number),
         number => Err(format!("{number} is below 0")),
     }
 }
 
-fn finite(text: &str) -> Result<f64, String> {
+fn parse_finite(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
         Ok(number) => Err(format!("{number} is not finite")),

@@ -110,7 +110,7 @@ pub struct ImportArgs {
     #[command(flatten)]
     pub source: LoggedArgs,
     /// Time of the log's first sample, in seconds since 1970 (UTC) [default: from the log]
-    #[arg(long, help_heading = "Memory", value_name = "SECONDS", value_parser = start_s)]
+    #[arg(long, help_heading = "Memory", value_name = "SECONDS", value_parser = parse_start)]
     pub start_s: Option<f64>,
     /// The memory.
     #[command(flatten)]
@@ -196,7 +196,7 @@ pub struct EpisodeArgs {
     pub json: bool,
 }
 
-fn start_s(text: &str) -> Result<f64, String> {
+fn parse_start(text: &str) -> Result<f64, String> {
     let seconds: f64 = text
         .parse()
         .map_err(|_| format!("{text:?} is not a number"))?;

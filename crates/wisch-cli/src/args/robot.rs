@@ -1,6 +1,6 @@
 //! Arguments of `robot`.
 
-use super::values::{package, setting};
+use super::values::{parse_package, parse_setting};
 use clap::{Args, Subcommand, ValueHint};
 use std::path::PathBuf;
 use wisch::robot::MapConfig;
@@ -125,7 +125,7 @@ pub struct RobotSetupArgs {
     #[arg(long, value_name = "TASK", value_hint = ValueHint::FilePath)]
     pub task: Option<PathBuf>,
     /// Override a value of the task, such as robot.position_m=[0,-0.6,0]; repeatable
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = setting, requires = "task")]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_setting, requires = "task")]
     pub settings: Vec<(String, String)>,
     /// Seed of the random postures
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -137,7 +137,7 @@ pub struct RobotSetupArgs {
     #[arg(long)]
     pub force: bool,
     /// Folder to which package://NAME resolves; repeatable
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = parse_package)]
     pub packages: Vec<(String, PathBuf)>,
     /// Print one JSON object instead of the report
     #[arg(long)]
@@ -164,7 +164,7 @@ pub struct RobotMapArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = parse_package)]
     pub packages: Vec<(String, PathBuf)>,
     /// Print one JSON object instead of the report
     #[arg(long)]
@@ -181,7 +181,7 @@ pub struct RobotCheckArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub srdf: Option<PathBuf>,
     /// Folder to which package://NAME resolves; repeatable
-    #[arg(long = "package", value_name = "NAME=DIR", value_parser = package)]
+    #[arg(long = "package", value_name = "NAME=DIR", value_parser = parse_package)]
     pub packages: Vec<(String, PathBuf)>,
     /// Print one JSON object instead of the report
     #[arg(long)]

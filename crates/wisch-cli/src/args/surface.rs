@@ -74,22 +74,22 @@ pub struct SurfaceMeshArgs {
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Metres per unit of the file, such as 0.001 for millimetres
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = parse_factor)]
     pub scale: f64,
     /// Sides of the tool's footprint [m]
-    #[arg(long, value_name = "X,Y", default_value = "0.06,0.10", value_parser = sides)]
+    #[arg(long, value_name = "X,Y", default_value = "0.06,0.10", value_parser = parse_sides)]
     pub tool_size: [f64; 2],
     /// Radius of the tool [m]: smaller shapes are smoothed [default: half the diagonal of its footprint]
-    #[arg(long, value_name = "METRES", value_parser = metres)]
+    #[arg(long, value_name = "METRES", value_parser = parse_metres)]
     pub tool_radius: Option<f64>,
     /// Compression depth of the tool under nominal force [m]
-    #[arg(long, value_name = "METRES", default_value_t = 0.01, value_parser = metres)]
+    #[arg(long, value_name = "METRES", default_value_t = 0.01, value_parser = parse_metres)]
     pub compression_depth_m: f64,
     /// Take the part of the mesh that is nearest to this point [m] [default: the largest part]
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_vector)]
     pub seed_point: Option<Vector3>,
     /// Direction from the surface to the tool; required for a closed mesh [default: the side to which the normals of most of the area point in the file]
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = vector)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_vector)]
     pub towards: Option<Vector3>,
     /// Leave out triangles whose normals deviate from --towards by more than this angle [rad] [default: 1.2 for a closed
     /// mesh, else no limit]
@@ -100,7 +100,7 @@ pub struct SurfaceMeshArgs {
     pub stretch_limit: f64,
 }
 
-fn number(text: &str) -> Result<f64, String> {
+fn parse_number(text: &str) -> Result<f64, String> {
     let number: f64 = (text.trim().parse()).map_err(|_| format!("{text:?} is not a number"))?;
     if number.is_finite() {
         Ok(number)
@@ -109,10 +109,10 @@ fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-fn numbers<const N: usize>(text: &str, example: &str) -> Result<[f64; N], String> {
+fn parse_numbers<const N: usize>(text: &str, example: &str) -> Result<[f64; N], String> {
     let parts = text
         .split(',')
-        .map(number)
+        .map(parse_number)
         .collect::<Result<Vec<f64>, _>>()?;
     let count = parts.len();
     parts
@@ -120,24 +120,24 @@ fn numbers<const N: usize>(text: &str, example: &str) -> Result<[f64; N], String
         .map_err(|_| format!("{count} numbers, expected {N}; write them as {example}"))
 }
 
-fn vector(text: &str) -> Result<Vector3, String> {
-    numbers(text, "0,0,1").map(|[x, y, z]| Vector3::new(x, y, z))
+fn parse_vector(text: &str) -> Result<Vector3, String> {
+    parse_numbers(text, "0,0,1").map(|[x, y, z]| Vector3::new(x, y, z))
 }
 
-fn sides(text: &str) -> Result<[f64; 2], String> {
-    let sides = numbers(text, "0.06,0.10")?;
+fn parse_sides(text: &str) -> Result<[f64; 2], String> {
+    let sides = parse_numbers(text, "0.06,0.10")?;
     sides
-        .map(in_range)
+        .map(check_range)
         .into_iter()
         .collect::<Result<Vec<f64>, _>>()?;
     Ok(sides)
 }
 
-fn metres(text: &str) -> Result<f64, String> {
-    number(text).and_then(in_range)
+fn parse_metres(text: &str) -> Result<f64, String> {
+    parse_number(text).and_then(check_range)
 }
 
-fn in_range(length: f64) -> Result<f64, String> {
+fn check_range(length: f64) -> Result<f64, String> {
     if (1e-4..=5.0).contains(&length) {
         Ok(length)
     } else {
@@ -145,8 +145,8 @@ fn in_range(length: f64) -> Result<f64, String> {
     }
 }
 
-fn factor(text: &str) -> Result<f64, String> {
-    let factor = number(text)?;
+fn parse_factor(text: &str) -> Result<f64, String> {
+    let factor = parse_number(text)?;
     if (1e-6..=1e3).contains(&factor) {
         Ok(factor)
     } else {

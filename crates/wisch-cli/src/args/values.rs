@@ -18,7 +18,7 @@ pub(super) fn action_parser() -> impl TypedValueParser<Value = Action> {
 }
 
 /// Parses KEY=VALUE, an override of a value of the task file.
-pub(super) fn setting(text: &str) -> Result<(String, String), String> {
+pub(super) fn parse_setting(text: &str) -> Result<(String, String), String> {
     let (key, value) = text
         .split_once('=')
         .ok_or("\"=\" is missing; write KEY=VALUE with a key of the task file")?;
@@ -29,7 +29,7 @@ pub(super) fn setting(text: &str) -> Result<(String, String), String> {
 }
 
 /// Parses a time, from 0.001 to 86400 \[s\].
-pub(super) fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn parse_seconds(text: &str) -> Result<f64, String> {
     let number: f64 = text
         .parse()
         .map_err(|_| "not a number; write seconds, such as 60".to_owned())?;
@@ -40,7 +40,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Parses a share, above 0 and at most 1 \[1\].
-pub(super) fn share(text: &str) -> Result<f64, String> {
+pub(super) fn parse_share(text: &str) -> Result<f64, String> {
     let number: f64 =
         (text.parse()).map_err(|_| "not a number; write a share, such as 0.25".to_owned())?;
     if number > 0.0 && number <= 1.0 {
@@ -52,7 +52,7 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
 }
 
 /// Parses a height above the surface, from 0.005 to 0.5 \[m\].
-pub(super) fn height(text: &str) -> Result<f64, String> {
+pub(super) fn parse_height(text: &str) -> Result<f64, String> {
     let number: f64 =
         (text.parse()).map_err(|_| "not a number; write metres, such as 0.05".to_owned())?;
     if (0.005..=0.5).contains(&number) {
@@ -62,7 +62,7 @@ pub(super) fn height(text: &str) -> Result<f64, String> {
 }
 
 /// Reads a compression depth \[m\], within the limits of the key `compression_depth_m`.
-pub(super) fn compression_depth(text: &str) -> Result<f64, String> {
+pub(super) fn parse_compression_depth(text: &str) -> Result<f64, String> {
     let number: f64 =
         (text.parse()).map_err(|_| "not a number; write metres, such as 0.002".to_owned())?;
     if (0.0..=0.1).contains(&number) {
@@ -72,7 +72,7 @@ pub(super) fn compression_depth(text: &str) -> Result<f64, String> {
 }
 
 /// Parses NAME=DIR, the name of a ROS package and its folder.
-pub(super) fn package(text: &str) -> Result<(String, PathBuf), String> {
+pub(super) fn parse_package(text: &str) -> Result<(String, PathBuf), String> {
     match text.split_once('=') {
         Some((name, folder)) if !name.trim().is_empty() && !folder.is_empty() => {
             Ok((name.trim().to_owned(), PathBuf::from(folder)))
@@ -83,15 +83,15 @@ pub(super) fn package(text: &str) -> Result<(String, PathBuf), String> {
 
 #[cfg(test)]
 mod tests {
-    use super::setting;
+    use super::parse_setting;
 
     #[test]
     fn a_setting_splits_at_its_first_equals_sign() {
         assert_eq!(
-            setting("goal.literal = (a b=c)"),
+            parse_setting("goal.literal = (a b=c)"),
             Ok(("goal.literal".to_owned(), "(a b=c)".to_owned()))
         );
-        assert!(setting("seed").is_err());
-        assert!(setting("=3").is_err());
+        assert!(parse_setting("seed").is_err());
+        assert!(parse_setting("=3").is_err());
     }
 }

@@ -1,7 +1,7 @@
 //! `wisch ask`: answers Prolog queries of a memory, from the command line, a pipe or a prompt.
 
 use super::interrupt::leave_ctrl_c;
-use super::{engine, fleet, look};
+use super::{answer_page, engine, fleet};
 use crate::args::{AskArgs, DEFAULT_MEMORY, GlobalArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, print_error, remark};
@@ -34,7 +34,7 @@ const HISTORY_FILE: &str = ".history";
 /// Answers the query of the arguments, or the queries of standard input.
 pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     if args.list {
-        print(&listing(&predicates()))?;
+        print(&format_listing(&predicates()))?;
         return Ok(Outcome::Done);
     }
     let place = Place::of(args, global)?;
@@ -42,7 +42,7 @@ pub fn ask(args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     match &args.query {
         Some(query) => answer(&mut asked, query, args, global),
         None if std::io::stdin().is_terminal() => interactive(&mut asked, args, global),
-        None => lines(&mut asked, args, global),
+        None => answer_lines(&mut asked, args, global),
     }
 }
 
@@ -97,7 +97,7 @@ impl Asked {
                 .with_help("wisch run creates a memory; choose another folder with --memory DIR")
         })?;
         let catalogue = Arc::new(memory.catalogue().map_err(Failure::new)?);
-        let asker = asker(args, global, memory.clone(), Arc::clone(&catalogue))?;
+        let asker = open_query_session(args, global, memory.clone(), Arc::clone(&catalogue))?;
         if !global.quiet {
             asker
                 .remarks_on_memory()
@@ -112,7 +112,7 @@ impl Asked {
     }
 }
 
-fn asker(
+fn open_query_session(
     args: &AskArgs,
     global: &GlobalArgs,
     memory: Memory,
@@ -138,7 +138,7 @@ fn answer(
     args: &AskArgs,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
-    let page = args.view.as_deref().map(look::begin).transpose()?;
+    let page = args.view.as_deref().map(answer_page::begin).transpose()?;
     let answers = asked
         .asker
         .ask(query)
@@ -154,7 +154,7 @@ fn answer(
     }
     let mut remarks = answers.remarks.clone();
     if let Some(page) = page {
-        let not_shown = look::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
+        let not_shown = answer_page::draw(page, query, &answers, &asked.memory, &asked.catalogue)?;
         remarks.extend(not_shown);
     } else if !answers.views.is_empty() && !global.quiet {
         remark("the query requests a plot; draw it with --view FILE");
@@ -211,7 +211,11 @@ fn syntax_place(fault: &QueryFault, query: &str) -> String {
 }
 
 /// Answers queries from standard input, one per line.
-fn lines(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+fn answer_lines(
+    asked: &mut Asked,
+    args: &AskArgs,
+    global: &GlobalArgs,
+) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Done;
     for line in std::io::stdin().lines() {
         let line = line.map_err(|error| Failure::new(format!("standard input: {error}")))?;
@@ -297,7 +301,7 @@ fn interactive(asked: &mut Asked, args: &AskArgs, global: &GlobalArgs) -> Result
         match query {
             "" => {}
             "quit" | "exit" | "halt" => break,
-            "help" => print(&listing(&predicates()))?,
+            "help" => print(&format_listing(&predicates()))?,
             _ => {
                 if let Err(failure) = answer(asked, query, args, global) {
                     print_error(&failure);
@@ -381,7 +385,7 @@ fn in_csv(answers: &Answers) -> String {
     text
 }
 
-fn listing(predicates: &[Predicate]) -> String {
+fn format_listing(predicates: &[Predicate]) -> String {
     let lines = predicates.iter().map(|predicate| {
         let meaning = &predicate.meaning;
         // A colon within arguments does not end the head.
@@ -408,7 +412,7 @@ mod tests {
             arity: 0,
             meaning: meaning.to_owned(),
         };
-        let text = listing(&[
+        let text = format_listing(&[
             predicate("data_vis(Id, [data: [X, Y]]): draws: a chart"),
             predicate("show: shows the scene"),
         ]);

@@ -1,7 +1,7 @@
 //! `--budget`: the number of plans that a search tries, also computed from a time.
 
 use super::prepare::{self, stage_failure};
-use super::words::counted;
+use super::words::format_count;
 use crate::args::{Budget, TaskArgs};
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -47,7 +47,7 @@ pub(super) fn in_evaluations(args: &TaskArgs, kept: &KeptFiles) -> Result<TaskAr
                 format!(
                     "in {seconds} s this machine tries about {} after {begun:.1} s for the initial plans; \
                      --budget {evaluations} reproduces the plan",
-                    counted(evaluations as usize, "plan"),
+                    format_count(evaluations as usize, "plan"),
                 )
             } else {
                 format!(

@@ -4,7 +4,7 @@ use super::budget::in_evaluations;
 use super::follow::{Chosen, describe_stand, follow_plan, workcell};
 use super::goal::read_goal;
 use super::prepare::{self, stage_failure};
-use super::words::{counted, internal, percent};
+use super::words::{format_count, internal, percent};
 use crate::args::{CheckArgs, GlobalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -114,7 +114,7 @@ fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
     (session.run_until(Stage::Planned, &mut NoExecutor, &mut ignore_events))
         .map_err(|error| stage_failure(task_args, error))?;
     let plan = (session.plan()).ok_or_else(|| internal("no plan was made"))?;
-    let objects = counted(prepared.task.scene.len(), "object");
+    let objects = format_count(prepared.task.scene.len(), "object");
     progress.say(format!("placing the robot among {objects}"));
     let robot = match Chosen::new(&args.robot, &prepared)? {
         Some(chosen) => {
@@ -156,7 +156,7 @@ fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
             None => "the task is valid".to_owned(),
             Some(refusal) => refusal.to_string(),
         };
-        print(&explanation(&prepared, &found, &heading))?;
+        print(&describe_found(&prepared, &found, &heading))?;
     }
     Ok(match refusal {
         None if !reaches_nothing => Outcome::Done,
@@ -272,7 +272,7 @@ impl RobotFound {
             Some(first) => format!(
                 "the robot abandons {} of {}; {first}",
                 abandoned.len(),
-                counted(plan.graph.nodes.len(), "node")
+                format_count(plan.graph.nodes.len(), "node")
             ),
         };
         lines.push(("reach", reach));
@@ -308,11 +308,11 @@ impl FreeArea {
         let mut obstacles = Vec::new();
         for (i, (object, mesh)) in task.obstacles().zip(&scene).enumerate() {
             if i % OBSTACLES_PER_UPDATE == 0 {
-                let count = counted(scene.len(), "obstacle");
+                let count = format_count(scene.len(), "obstacle");
                 progress.say(format!("computing the free area beside {count} ({i} done)"));
             }
             let alone = FreeSpace::new(&task.surface, [mesh], radius)?;
-            let near = points_near(&raster, mesh, radius);
+            let near = select_points_near(&raster, mesh, radius);
             let kept = near.filter(|&p| !alone.is_clear(p)).count();
             if kept > 0 {
                 obstacles.push((object.name.clone(), share(kept)));
@@ -326,7 +326,7 @@ impl FreeArea {
 }
 
 /// Selects the points whose distance from a mesh can be below a radius [m]. `raster`: points by rows of rising y.
-fn points_near<'a>(
+fn select_points_near<'a>(
     raster: &'a [Point2],
     mesh: &Mesh,
     radius: f64,
@@ -360,7 +360,7 @@ fn sample_surface(task: &Task) -> Vec<Point2> {
         .collect()
 }
 
-fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> String {
+fn describe_found(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> String {
     let task = &prepared.task;
     let Found {
         free_area,
@@ -368,23 +368,23 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         robot,
         prediction,
     } = found;
-    let mut lines: Vec<(&str, String)> = vec![("action", action(prepared))];
+    let mut lines: Vec<(&str, String)> = vec![("action", describe_action(prepared))];
     if let Some(derived) = &prepared.derived {
         lines.push((
             "goal",
             format!("{}: {}", derived.goal, derived.steps.join(", ")),
         ));
     }
-    lines.push(("surface", surface(task)));
+    lines.push(("surface", describe_surface(task)));
     lines.extend((prepared.steep).map(|steep| ("slope", steep.to_string())));
-    lines.push(("tool", tool(task)));
+    lines.push(("tool", describe_tool(task)));
     lines.extend(BendContact::from_task(task).map(|contact| ("contact", contact.to_string())));
     let count = task.particles.len();
     lines.push(match task.action.treats() {
         true => ("points", format!("{count} on the surface")),
         false => (
             "dirt",
-            format!("{} of {}", counted(count, "particle"), task.medium),
+            format!("{} of {}", format_count(count, "particle"), task.medium),
         ),
     });
     lines.push(("obstacles", obstacles(free_area)));
@@ -395,7 +395,7 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
             100.0 * free_area.free_share
         ),
     ));
-    lines.push(("goal", destination(plan)));
+    lines.push(("goal", describe_destination(plan)));
     let dirt = if task.action.treats() {
         "points"
     } else {
@@ -406,8 +406,8 @@ fn explanation(prepared: &LoadedTask, found: &Found<'_>, heading: &str) -> Strin
         format!(
             "{}: {}, {}, {:.2} m in contact; {} of the {dirt} are out of reach",
             prepared.run.plan.strategy,
-            counted(plan.graph.nodes.len(), "node"),
-            counted(plan.strokes.len(), "stroke"),
+            format_count(plan.graph.nodes.len(), "node"),
+            format_count(plan.strokes.len(), "stroke"),
             plan.contact_distance(),
             percent(plan.unreachable_share)
         ),
@@ -481,7 +481,7 @@ fn describe_target(prepared: &LoadedTask, prediction: &Prediction, abandons: boo
     }
 }
 
-fn action(prepared: &LoadedTask) -> String {
+fn describe_action(prepared: &LoadedTask) -> String {
     let task = &prepared.task;
     let (surface, tool, medium) = (&task.surface.name, &task.tool.name, &task.medium);
     format!(
@@ -495,7 +495,7 @@ fn action(prepared: &LoadedTask) -> String {
     )
 }
 
-fn surface(task: &Task) -> String {
+fn describe_surface(task: &Task) -> String {
     let outline = &task.surface.outline;
     let size = Bounds2::from_points(outline.outer().iter().copied())
         .map_or_else(String::new, |b| {
@@ -528,24 +528,24 @@ fn surface(task: &Task) -> String {
         "{}, {size}{:.3} m2{shape}, at ({:.3}, {:.3}, {:.3}) m in the world; {edges}",
         task.surface.name,
         outline.area(),
-        positive_zero(at.x),
-        positive_zero(at.y),
-        positive_zero(at.z)
+        drop_sign_of_zero(at.x),
+        drop_sign_of_zero(at.y),
+        drop_sign_of_zero(at.z)
     )
 }
 
 /// Returns a number that prints without the sign of a zero, to a millimetre.
-fn positive_zero(number: f64) -> f64 {
+fn drop_sign_of_zero(number: f64) -> f64 {
     if number.abs() < 5e-4 { 0.0 } else { number }
 }
 
-fn tool(task: &Task) -> String {
+fn describe_tool(task: &Task) -> String {
     let tool = &task.tool;
     format!(
         "{}, contact area {:.1} cm2 in {}; area of effect {:.3} m along and {:.3} m across the motion; collision radius r_s = {:.4} m",
         tool.name,
         1e4 * tool.footprint.area(),
-        counted(tool.footprint.polygons().len(), "piece"),
+        format_count(tool.footprint.polygons().len(), "piece"),
         tool.area_of_effect.x,
         tool.area_of_effect.y,
         tool.collision_radius()
@@ -568,7 +568,7 @@ fn obstacles(free_area: &FreeArea) -> String {
     listed.join(", ")
 }
 
-fn destination(plan: &Plan) -> String {
+fn describe_destination(plan: &Plan) -> String {
     match plan.graph.goal {
         GoalState::Absorbed => "all particles are absorbed".to_owned(),
         GoalState::Collected { center, radius } => format!(
@@ -578,7 +578,7 @@ fn destination(plan: &Plan) -> String {
         GoalState::Polished { passes } => {
             format!(
                 "the tool has passed every point {}",
-                counted(passes as usize, "time")
+                format_count(passes as usize, "time")
             )
         }
         GoalState::Dispensed {
@@ -594,7 +594,7 @@ fn destination(plan: &Plan) -> String {
             let goals = goals.filter(|node| node.role == NodeRole::Goal).count();
             format!(
                 "all particles are pushed over a skim edge ({} beyond it)",
-                counted(goals, "goal node")
+                format_count(goals, "goal node")
             )
         }
     }

@@ -13,7 +13,7 @@ const SCORE: &str = "score = share of the dirt that reaches the goal, averaged o
                      remaining dirt by its distance, of path length and of time";
 
 /// Returns a summary of every evaluated candidate and marks the chosen plan.
-pub(super) fn candidates(
+pub(super) fn summarise_candidates(
     considered: &[CandidateEvaluation],
     chosen: &Plan,
     task: &Task,
@@ -46,7 +46,7 @@ pub(super) fn candidates(
 }
 
 /// Formats the candidates as a table with the chosen plan marked, and adds the reason for the choice.
-pub(super) fn table(candidates: &[CandidateSummary]) -> String {
+pub(super) fn format_table(candidates: &[CandidateSummary]) -> String {
     let has_motion = candidates.iter().any(|one| one.execution_time_s.is_some());
     let mut text = format!(
         "\n    {:<9} {:>6} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}",
@@ -81,11 +81,11 @@ pub(super) fn table(candidates: &[CandidateSummary]) -> String {
         }
         text += "\n";
     }
-    text + &reason(candidates)
+    text + &explain_choice(candidates)
 }
 
 /// Formats the reason why the marked candidate was chosen.
-fn reason(candidates: &[CandidateSummary]) -> String {
+fn explain_choice(candidates: &[CandidateSummary]) -> String {
     let mut by_score: Vec<(&str, f64)> = (candidates.iter())
         .filter_map(|one| Some((one.strategy.as_str(), one.score?)))
         .collect();

@@ -1,8 +1,8 @@
 //! `wisch memory export`: writes episodes in the format of openEASE and KnowRob.
 
 use super::PROGRAM;
-use super::memory::{broken, open};
-use super::words::counted;
+use super::memory::{memory_failure, open};
+use super::words::format_count;
 use crate::args::{ExportArgs, GlobalArgs, suggest};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -20,7 +20,9 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let (episodes, left_out) = match args.ids.as_slice() {
         [] => find_sound_episodes(&memory)?,
         ids => {
-            let named = ids.iter().map(|id| memory.episode(id).map_err(broken));
+            let named = ids
+                .iter()
+                .map(|id| memory.episode(id).map_err(memory_failure));
             (named.collect::<Result<_, _>>()?, Vec::new())
         }
     };
@@ -30,16 +32,16 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     };
     if args.neem.exists() {
         let path = args.neem.clone();
-        return Err(not_written(NeemError::Exists { path }));
+        return Err(export_failure(NeemError::Exists { path }));
     }
     let failed = |error| Failure::from(error).with_help("choose another folder with --neem DIR");
     let folder = NewFolder::begin(&args.neem).map_err(failed)?;
-    let mut neem = NeemWriter::create(&folder.path(), &meta, &config).map_err(not_written)?;
+    let mut neem = NeemWriter::create(&folder.path(), &meta, &config).map_err(export_failure)?;
     for (number, episode) in (1..).zip(&episodes) {
         progress.say(format!("episode {number} of {}", episodes.len()));
         write(&mut neem, episode)?;
     }
-    let report = neem.finish().map_err(not_written)?;
+    let report = neem.finish().map_err(export_failure)?;
     folder.finish().map_err(failed)?;
     drop(progress);
     tell(args, global, &report, &left_out)?;
@@ -53,7 +55,7 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
 /// Returns all episodes without faults, and the faults of the remaining ones.
 fn find_sound_episodes(memory: &Memory) -> Result<(Vec<Episode>, Vec<String>), Failure> {
     let (mut sound, mut left_out) = (Vec::new(), Vec::new());
-    for id in memory.episodes().map_err(broken)? {
+    for id in memory.episodes().map_err(memory_failure)? {
         match memory.episode(&id) {
             Ok(episode) => match episode.faults().first() {
                 None => sound.push(episode),
@@ -70,15 +72,15 @@ fn find_sound_episodes(memory: &Memory) -> Result<(Vec<Episode>, Vec<String>), F
 }
 
 fn write(neem: &mut NeemWriter, episode: &Episode) -> Result<(), Failure> {
-    let files = episode.files().map_err(broken)?;
+    let files = episode.files().map_err(memory_failure)?;
     // An episode of an imported log has no robot.
     let written = if files.iter().any(|file| file == "robot.urdf") {
-        let robot = episode.robot().map_err(broken)?;
+        let robot = episode.robot().map_err(memory_failure)?;
         neem.write_stored_episode(episode, PoseSource::Robot(&robot))
     } else {
         neem.write_stored_episode(episode, PoseSource::Tool)
     };
-    written.map_err(not_written)
+    written.map_err(export_failure)
 }
 
 /// The tasks, tools, media, surfaces and robots of all episodes.
@@ -95,7 +97,7 @@ impl About {
     fn of(episodes: &[Episode]) -> Result<Self, Failure> {
         let mut about = Self::default();
         for episode in episodes {
-            about.add(&episode.record().map_err(broken)?);
+            about.add(&episode.record().map_err(memory_failure)?);
         }
         Ok(about)
     }
@@ -130,7 +132,7 @@ impl About {
             name: "Robotic wiping".to_owned(),
             description: format!(
                 "{} of robotic wiping: {}",
-                counted(count, "episode"),
+                format_count(count, "episode"),
                 words(&self.tasks)
             ),
             created_by: PROGRAM.to_owned(),
@@ -167,14 +169,14 @@ fn tell(
         let mut text = format!(
             "{}: {}, {} triples, {} poses, {} wrenches, {} observations\n",
             args.neem.display(),
-            counted(report.episodes as usize, "episode"),
+            format_count(report.episodes as usize, "episode"),
             report.triples,
             report.poses,
             report.wrenches,
             report.observations
         );
         if report.unusable_wrenches > 0 {
-            let count = counted(report.unusable_wrenches as usize, "sample");
+            let count = format_count(report.unusable_wrenches as usize, "sample");
             text += &format!("left out: the wrench of {count}, which its driver calls unusable\n");
         }
         for why in left_out {
@@ -185,7 +187,7 @@ fn tell(
     Ok(())
 }
 
-fn not_written(error: NeemError) -> Failure {
+fn export_failure(error: NeemError) -> Failure {
     let help = match error {
         NeemError::Exists { .. } => "choose a new folder with --neem DIR".to_owned(),
         NeemError::Rate { .. } => {

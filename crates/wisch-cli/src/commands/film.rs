@@ -217,11 +217,15 @@ impl FilmSet {
                 Ok((stream, _)) => stream,
                 Err(error) if error.kind() == ErrorKind::WouldBlock => {
                     if let Ok(Some(status)) = self.browser.try_wait() {
-                        return Err(self.fault(&format!("ended before it had recorded ({status})")));
+                        return Err(self.fault(&format!(
+                            "ended before the recording was complete ({status})"
+                        )));
                     }
                     if heard.elapsed() > PATIENCE {
                         let silence = PATIENCE.as_secs();
-                        return Err(self.fault(&format!("nothing is recorded for {silence} s")));
+                        return Err(
+                            self.fault(&format!("the recording made no progress for {silence} s"))
+                        );
                     }
                     std::thread::sleep(PERIOD);
                     continue;

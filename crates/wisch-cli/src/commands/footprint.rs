@@ -54,7 +54,7 @@ fn of_file(name: &str, format: MeshFormat, depth: Option<f64>) -> Result<Touch, 
         ))
         .with_help("give it with --compression-depth-m, such as 0.002 for a hard tool"));
     };
-    touch_of(name, &bytes, format, depth, None)
+    measure_touch(name, &bytes, format, depth, None)
 }
 
 fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
@@ -78,7 +78,7 @@ fn of_knowledge(args: &FootprintArgs) -> Result<Touch, Failure> {
     let depth = args
         .compression_depth_m
         .unwrap_or(entry.compression_depth_m.max(RIGID_DEPTH));
-    touch_of(&entry.name, &bytes, format, depth, entry.area_of_effect)
+    measure_touch(&entry.name, &bytes, format, depth, entry.area_of_effect)
 }
 
 fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEntry, Failure> {
@@ -98,7 +98,7 @@ fn tool_entry<'a>(name: &str, knowledge: &'a KnowledgeBase) -> Result<&'a ToolEn
     })
 }
 
-fn touch_of(
+fn measure_touch(
     name: &str,
     bytes: &[u8],
     format: MeshFormat,

@@ -1,6 +1,6 @@
 //! `wisch memory health`: drifts and sudden changes over the episodes of a memory.
 
-use super::memory::{broken, open};
+use super::memory::{memory_failure, open};
 use crate::args::{MemoryHealthArgs, suggest};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, print_json, remark};
@@ -15,7 +15,7 @@ const WIDTH: usize = 100;
 
 /// Assesses the runs of a memory and prints what was found.
 pub fn health(args: &MemoryHealthArgs) -> Result<Outcome, Failure> {
-    let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
+    let catalogue = open(&args.memory)?.catalogue().map_err(memory_failure)?;
     for why in catalogue.omitted_episodes() {
         let verify = suggest("memory verify");
         remark(&format!("{why}: left out; {verify} lists damaged files"));

@@ -3,7 +3,7 @@
 use super::PROGRAM;
 use super::interpret::{Interpreted, goal, interpret_read, read_log, task_args};
 use super::prepare;
-use super::words::{counted, json, percent};
+use super::words::{format_count, json, percent};
 use crate::args::{GlobalArgs, ImportArgs, LoggedArgs, suggest};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -39,13 +39,13 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let source = &args.source;
     let task_args = task_args(source);
     progress.say("checking whether the memory has this log");
-    let digest = digest_of(&source.log)
+    let digest = compute_digest(&source.log)
         .map_err(|error| Failure::new(format!("{}: {error}", source.log.display())))?;
-    let memory = Memory::create(&args.memory.memory).map_err(cannot_keep)?;
+    let memory = Memory::create(&args.memory.memory).map_err(keep_failure)?;
     progress.say("reading the task");
     let mut prepared = prepare::read(&task_args)?;
-    let reading = reading(args, &prepared);
-    if let Some(id) = episode_of(&memory, &digest)? {
+    let reading = format_reading_options(args, &prepared);
+    if let Some(id) = find_episode(&memory, &digest)? {
         drop(progress);
         return report_known(&memory, &id, &reading, args, global);
     }
@@ -53,19 +53,19 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     progress.say("reading the log");
     let log = read_log(source, &prepared)?;
     progress.say("checking whether the memory has this round");
-    if let Some(known) = known_round(&memory, source, &log)? {
+    if let Some(known) = find_known_round(&memory, source, &log)? {
         drop(progress);
         return report_known_round(&memory, &known, (&prepared, &reading, &log), args, global);
     }
     let interpreted = interpret_read(source, &prepared, (log, goal), None, &progress)?;
     progress.say("keeping the episode");
     // Another program may have imported the log meanwhile.
-    let alone = memory.wait_for_imports().map_err(cannot_keep)?;
-    if let Some(id) = episode_of(&memory, &digest)? {
+    let alone = memory.wait_for_imports().map_err(keep_failure)?;
+    if let Some(id) = find_episode(&memory, &digest)? {
         drop((alone, progress));
         return report_known(&memory, &id, &reading, args, global);
     }
-    if let Some(known) = known_round(&memory, source, &interpreted.log)? {
+    if let Some(known) = find_known_round(&memory, source, &interpreted.log)? {
         drop((alone, progress));
         let read = (&prepared, &*reading, &interpreted.log);
         return report_known_round(&memory, &known, read, args, global);
@@ -97,15 +97,15 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         format!(
             "{}: {} in {:.1} s, {estimate}\n  episode  {place}\n",
             record.task,
-            counted(interpreted.log.samples.len(), "sample"),
-            duration_of(&interpreted.log),
+            format_count(interpreted.log.samples.len(), "sample"),
+            measure_duration(&interpreted.log),
         )
     })?;
     Ok(Outcome::Done)
 }
 
 /// The time from the start of a log to its last sample [s].
-fn duration_of(log: &Log) -> f64 {
+fn measure_duration(log: &Log) -> f64 {
     log.samples.last().map_or(0.0, |sample| sample.time)
 }
 
@@ -126,15 +126,15 @@ fn keep(
     let start = start_of(args, log);
     // The name is derived from the log, so that two simultaneous imports of a log collide.
     let begun = begin_episode(memory, start, digest.last_bits());
-    let (writer, unfinished) = begun.map_err(cannot_keep)?;
+    let (writer, unfinished) = begun.map_err(keep_failure)?;
     let believed = prepared.task.surface.world_from_surface;
     let seen = RoundObservations {
         round: log.round,
         world_from_surface: log.world_from_surface.unwrap_or(believed),
         observations: log.observations.clone(),
     };
-    write_telemetry(&writer, log, prepared, &seen).map_err(cannot_keep)?;
-    (writer.observations(1, &seen)).map_err(cannot_keep)?;
+    write_telemetry(&writer, log, prepared, &seen).map_err(keep_failure)?;
+    (writer.observations(1, &seen)).map_err(keep_failure)?;
     attach(&writer, (prepared, reading), interpreted)?;
     let header = EpisodeHeader {
         id: writer.id().to_owned(),
@@ -149,7 +149,7 @@ fn keep(
     let mut record = remember_log(
         &header,
         &name.to_string_lossy(),
-        duration_of(log),
+        measure_duration(log),
         &prepared.task,
         &interpreted.goal,
         &interpreted.interpretation,
@@ -170,7 +170,7 @@ fn keep(
         set_text(&mut record, "semco:WipingRound", "semco:logRemark", remarks);
     }
     let placed = unfinished.place(|| writer.commit(&record));
-    placed.map_err(cannot_keep)?;
+    placed.map_err(keep_failure)?;
     Ok(record)
 }
 
@@ -182,11 +182,11 @@ fn attach(
 ) -> Result<(), Failure> {
     let attach = |name: &str, contents: &[u8]| {
         let attached = writer.attach(name, contents);
-        attached.map_err(cannot_keep)
+        attached.map_err(keep_failure)
     };
     attach_task(writer, prepared)?;
     attach(READING_FILE, reading.as_bytes())?;
-    let estimated = interpreted.estimated(prepared)?;
+    let estimated = interpreted.draw_estimate(prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
     attach(&name, particles_to_csv(&estimated).as_bytes())?;
     let name = format!("round-1/{INTERPRETATION_FILE}");
@@ -194,12 +194,12 @@ fn attach(
     attach(REPORT_FILE, interpreted.page(prepared).as_bytes())
 }
 
-fn cannot_keep(error: MemoryError) -> Failure {
+fn keep_failure(error: MemoryError) -> Failure {
     RecordError::from(error).into()
 }
 
 /// Formats all options that change the interpretation of a log; its file name is not among them.
-fn reading(args: &ImportArgs, prepared: &LoadedTask) -> String {
+fn format_reading_options(args: &ImportArgs, prepared: &LoadedTask) -> String {
     let source = &args.source;
     let options = (
         (&source.plan, source.action, source.seed),
@@ -220,7 +220,7 @@ fn set_text(record: &mut EpisodeRecord, class: &str, property: &str, text: Strin
     }
 }
 
-fn text_of<'a>(record: &'a EpisodeRecord, class: &str, property: &str) -> Option<&'a str> {
+fn find_text<'a>(record: &'a EpisodeRecord, class: &str, property: &str) -> Option<&'a str> {
     let of_class = record.individuals.iter().find(|one| one.class == class);
     match of_class?.values.get(property) {
         Some(Value::Text(text)) => Some(text),
@@ -229,7 +229,7 @@ fn text_of<'a>(record: &'a EpisodeRecord, class: &str, property: &str) -> Option
 }
 
 fn verdict_of(record: &EpisodeRecord) -> &str {
-    text_of(record, "semco:WipingAction", "semco:verdict").unwrap_or_default()
+    find_text(record, "semco:WipingAction", "semco:verdict").unwrap_or_default()
 }
 
 fn is_estimated(record: &EpisodeRecord) -> bool {
@@ -261,7 +261,7 @@ fn report_known(
     args: &ImportArgs,
     global: &GlobalArgs,
 ) -> Result<Outcome, Failure> {
-    let episode = memory.episode(id).map_err(cannot_keep)?;
+    let episode = memory.episode(id).map_err(keep_failure)?;
     let log = args.source.log.display();
     if episode.attachment(READING_FILE).ok().as_deref() != Some(reading.as_bytes()) {
         return Err(Failure::new(format!(
@@ -272,7 +272,7 @@ fn report_known(
             suggest(&format!("memory forget {id}"))
         )));
     }
-    let record = episode.record().map_err(cannot_keep)?;
+    let record = episode.record().map_err(keep_failure)?;
     say(&record, args, global, |place| {
         format!(
             "{}: the memory has this log already; nothing was added\n  episode  {place}\n",
@@ -284,7 +284,7 @@ fn report_known(
 
 /// Finds the round of the memory that holds the motion of a log. Options may move the samples of the bag of a run, so that
 /// it is also compared as the run has recorded it.
-fn known_round(
+fn find_known_round(
     memory: &Memory,
     source: &LoggedArgs,
     log: &Log,
@@ -296,7 +296,7 @@ fn known_round(
             task: log.task.as_deref(),
             observations: &log.observations,
         });
-        known.map_err(cannot_keep)
+        known.map_err(keep_failure)
     };
     let known = find(log)?;
     if known.is_some() || log.round.is_none() {
@@ -320,7 +320,7 @@ fn report_known_round(
     let KnownRound { episode: id, round } = known;
     let record = (memory.episode(id))
         .and_then(|episode| episode.record())
-        .map_err(cannot_keep)?;
+        .map_err(keep_failure)?;
     let file = args.source.log.display();
     let kept = record
         .rounds
@@ -330,11 +330,11 @@ fn report_known_round(
         - record.rounds[round - 1];
     if matches!(record.origin, Origin::Imported(_)) {
         // The part that a longer log adds would be lost.
-        let missing = duration_of(log) - kept;
+        let missing = measure_duration(log) - kept;
         if missing > MOST_MISSING_S {
             return Err(Failure::new(format!(
                 "{file}: the memory has the first {kept:.1} s of this log already, as episode {id}, of {:.1} s",
-                duration_of(log)
+                measure_duration(log)
             ))
             .with_help(format!(
                 "remove that episode with wisch memory forget {id}, then import the log again"
@@ -360,8 +360,8 @@ fn report_known_round(
 }
 
 /// Finds the episode that was imported from a log with this digest.
-fn episode_of(memory: &Memory, digest: &FileDigest) -> Result<Option<String>, Failure> {
-    let catalogue: Catalogue = memory.catalogue().map_err(cannot_keep)?;
+fn find_episode(memory: &Memory, digest: &FileDigest) -> Result<Option<String>, Failure> {
+    let catalogue: Catalogue = memory.catalogue().map_err(keep_failure)?;
     let digests = catalogue.texts("semco:logDigest");
     let wanted = digest.to_string();
     let found = (catalogue.episodes().iter()).find(|row| {
@@ -372,7 +372,7 @@ fn episode_of(memory: &Memory, digest: &FileDigest) -> Result<Option<String>, Fa
 }
 
 /// Computes the digest of a log: of a file, or of all files in a folder, sorted by name.
-fn digest_of(log: &Path) -> io::Result<FileDigest> {
+fn compute_digest(log: &Path) -> io::Result<FileDigest> {
     let mut digest = FileDigest::EMPTY;
     let mut files = Vec::new();
     if log.is_dir() {

@@ -1,12 +1,12 @@
 //! `wisch interpret`: estimates the dirt and the surface from a log of tool poses and forces.
 
-use super::log_advice::unreadable;
-use super::log_observation::{observation_in, unused_remark};
+use super::log_advice::log_failure;
+use super::log_observation::{read_observation, unused_remark};
 use super::log_report::page;
 use super::out_folder::folder_name;
 use super::prepare::{self, stage_failure};
-use super::wipe::given_plan;
-use super::words::{counted, internal, json, percent};
+use super::wipe::read_given_plan;
+use super::words::{format_count, internal, json, percent};
 use crate::args::{GlobalArgs, InterpretArgs, LogArgs, LoggedArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -52,7 +52,7 @@ pub fn interpret(args: &InterpretArgs, global: &GlobalArgs) -> Result<Outcome, F
     let observation = args.observation.as_deref();
     let interpreted = interpret_read(&args.source, &prepared, (log, goal), observation, &progress)?;
     let record = &interpreted.record;
-    let particles = interpreted.estimated(&prepared)?;
+    let particles = interpreted.draw_estimate(&prepared)?;
     folder.write(INTERPRETATION_FILE, json(record)?)?;
     folder.write(PARTICLES_ESTIMATED_FILE, particles_to_csv(&particles))?;
     folder.write(REPORT_FILE, interpreted.page(&prepared))?;
@@ -96,7 +96,7 @@ impl Interpreted {
     }
 
     /// Draws one particle distribution from the estimated belief.
-    pub fn estimated(&self, prepared: &LoadedTask) -> Result<ParticleDistribution, Failure> {
+    pub fn draw_estimate(&self, prepared: &LoadedTask) -> Result<ParticleDistribution, Failure> {
         let belief = &self.interpretation.belief;
         belief.sample(prepared.task.seed).map_err(internal)
     }
@@ -113,12 +113,12 @@ pub(super) fn interpret_read(
     prepare::check_mesh(log.surface_mesh.as_deref(), &prepared.task)
         .map_err(|failure| failure.within(&source.log))?;
     let seen = match observation {
-        Some(file) => Some(observation_in(file, source, prepared, (&log, &goal))?),
+        Some(file) => Some(read_observation(file, source, prepared, (&log, &goal))?),
         None => None,
     };
     progress.say(format!(
         "interpreting {}",
-        counted(log.samples.len(), "sample")
+        format_count(log.samples.len(), "sample")
     ));
     let mut believed = prepared.belief();
     let sight = prepared.sight(prepared.file.camera.unwrap_or_default());
@@ -189,7 +189,7 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
         let apart = logged.inverse() * prepared.task.surface.world_from_surface;
         let (distance, angle) = (apart.translation.vector.norm(), apart.rotation.angle());
         // A later round of a run may plan on a surface pose that touch has corrected.
-        if distance > ELSEWHERE_M || angle > ELSEWHERE_RAD {
+        if distance > MAX_OFFSET_M || angle > MAX_OFFSET_RAD {
             remarks.push(format!(
                 "the log's surface is {distance:.3} m and {:.1}° away from the task's surface: is --task the task of this log?",
                 angle.to_degrees()
@@ -217,8 +217,8 @@ fn remarks(log: &Log, prepared: &LoadedTask, interpretation: &Interpretation) ->
 }
 
 /// Limits up to which a log's surface pose counts as the task's [m] and [rad].
-pub(super) const ELSEWHERE_M: f64 = 0.05;
-const ELSEWHERE_RAD: f64 = 0.18;
+pub(super) const MAX_OFFSET_M: f64 = 0.05;
+const MAX_OFFSET_RAD: f64 = 0.18;
 
 /// Returns the arguments that select the task.
 pub(super) fn task_args(args: &LoggedArgs) -> TaskArgs {
@@ -240,7 +240,7 @@ pub(super) fn goal(
     prepared: &mut LoadedTask,
 ) -> Result<GoalState, Failure> {
     if let Some(path) = &args.plan {
-        return Ok(given_plan(path, prepared)?.graph.goal);
+        return Ok(read_given_plan(path, prepared)?.graph.goal);
     }
     prepared.task.goal().ok_or_else(|| {
         let problem = "the task has no collection area, so the goal is unknown";
@@ -273,7 +273,7 @@ fn check_log_is_kept(log: &Path, out: &Path) -> Result<(), Failure> {
 /// Reads the log with the options of the arguments and the task.
 pub(super) fn read_log(args: &LoggedArgs, prepared: &LoadedTask) -> Result<Log, Failure> {
     let options = log_options(&args.reading, prepared)?;
-    read(&args.log, &options).map_err(|error| unreadable(error, &args.log))
+    read(&args.log, &options).map_err(|error| log_failure(error, &args.log))
 }
 
 fn log_options(args: &LogArgs, prepared: &LoadedTask) -> Result<LogOptions, Failure> {
@@ -431,7 +431,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
             "log",
             format!(
                 "{} in {:.1} s: {}, {} (axes of the {}{assumed})",
-                counted(log.samples, "sample"),
+                format_count(log.samples, "sample"),
                 log.duration_s,
                 log.pose,
                 log.wrench,
@@ -479,7 +479,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
         (log.unpaired, "without a pose or force near their time"),
     ];
     let left_out: Vec<String> = (left_out.into_iter().filter(|(count, _)| *count > 0))
-        .map(|(count, why)| format!("{} {why}", counted(count, "sample")))
+        .map(|(count, why)| format!("{} {why}", format_count(count, "sample")))
         .collect();
     if !left_out.is_empty() {
         lines.insert(1, ("", format!("left out: {}", left_out.join(", "))));

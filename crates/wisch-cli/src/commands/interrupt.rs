@@ -96,7 +96,7 @@ fn end(signal: i32, is_ending: &AtomicBool) -> ! {
     kill_executors();
     is_ending.store(true, Ordering::SeqCst);
     // Held to the end, so that no round is completed meanwhile.
-    let run = try_unfinished(PATIENCE);
+    let run = try_lock_unfinished(PATIENCE);
     remove_unfinished();
     let failure = match run.as_deref() {
         Some(Some(run)) => {
@@ -165,12 +165,12 @@ pub struct UnfinishedRun {
 /// The run in progress: one at a time, as a command over several patches runs several times.
 static UNFINISHED: Mutex<Option<UnfinishedRun>> = Mutex::new(None);
 
-fn unfinished() -> MutexGuard<'static, Option<UnfinishedRun>> {
+fn lock_unfinished() -> MutexGuard<'static, Option<UnfinishedRun>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Locks the run in progress; `None` if that takes longer than `patience`.
-fn try_unfinished(patience: Duration) -> Option<MutexGuard<'static, Option<UnfinishedRun>>> {
+fn try_lock_unfinished(patience: Duration) -> Option<MutexGuard<'static, Option<UnfinishedRun>>> {
     let begin = Instant::now();
     loop {
         match UNFINISHED.try_lock() {
@@ -186,7 +186,7 @@ fn try_unfinished(patience: Duration) -> Option<MutexGuard<'static, Option<Unfin
 
 /// Lets a signal print how to resume the run. `kept`: number of rounds with a checkpoint.
 pub fn say_how_to_resume(progress: &Progress, kept: usize) {
-    *unfinished() = Some(UnfinishedRun {
+    *lock_unfinished() = Some(UnfinishedRun {
         kept,
         clear: Box::new(progress.clearing()),
     });
@@ -194,7 +194,7 @@ pub fn say_how_to_resume(progress: &Progress, kept: usize) {
 
 /// Delays signals until the returned guard is dropped: a round is decided, and its checkpoint is written now.
 pub fn delay_signals() -> MutexGuard<'static, Option<UnfinishedRun>> {
-    unfinished()
+    lock_unfinished()
 }
 
 /// The part of the command that is in progress, where a command consists of several runs.

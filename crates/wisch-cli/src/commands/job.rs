@@ -75,7 +75,7 @@ impl Job<'_> {
 }
 
 /// Returns the simulated world's ground truth of the finished rounds.
-pub(super) fn known_truths(
+pub(super) fn list_truths(
     prepared: &LoadedTask,
     rounds: &[Round],
     truths: &[GroundTruth],

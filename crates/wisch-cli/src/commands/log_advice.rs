@@ -8,7 +8,7 @@ use wisch_telemetry::{ReadError, ReadFault, RecordingKind};
 const LONGEST_DELAY: f64 = 600.0;
 
 /// Returns the error of a log that cannot be read, with advice if there is some.
-pub(super) fn unreadable(error: ReadError, log: &Path) -> Failure {
+pub(super) fn log_failure(error: ReadError, log: &Path) -> Failure {
     let advice = advice(&error.fault, log);
     let failure = Failure::new(error);
     match advice {

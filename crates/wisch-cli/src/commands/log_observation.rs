@@ -1,7 +1,7 @@
 //! Camera observations of the dirt around a log: from a list, a photo or a bag.
 
-use super::log_advice::unreadable;
-use super::words::counted;
+use super::log_advice::log_failure;
+use super::words::format_count;
 use crate::args::LoggedArgs;
 use crate::failure::Failure;
 use std::path::Path;
@@ -25,7 +25,7 @@ pub(super) struct LogObservations {
 
 /// Reads the observation of `--observation`, without the detections that lie beside the surface or repeat another one. A bag,
 /// such as the log itself, may also hold an observation before the round.
-pub(super) fn observation_in(
+pub(super) fn read_observation(
     file: &Path,
     source: &LoggedArgs,
     prepared: &LoadedTask,
@@ -54,7 +54,7 @@ pub(super) fn observation_in(
     let is_log = is_same_file(file, &source.log);
     if !is_log && !is_bag(file).unwrap_or(false) {
         let after = prepared.observation(file)?;
-        let detections = counted(after.detections.len(), "detection");
+        let detections = format_count(after.detections.len(), "detection");
         let remark = format!("after the log: {detections} of dirt in {}", file.display());
         let (after, doubts) = check(after, !skims)?;
         return Ok(LogObservations {
@@ -69,7 +69,7 @@ pub(super) fn observation_in(
         log
     } else {
         other = read(file, &LogOptions::default())
-            .map_err(|error| unreadable(error, file).after("--observation"))?;
+            .map_err(|error| log_failure(error, file).after("--observation"))?;
         &other
     };
     let surface = &prepared.task.surface;
@@ -93,7 +93,7 @@ pub(super) fn observation_in(
             "give a list of dirt locations (x,y in the frame of the surface [m]), or omit --observation",
         ));
     };
-    let detections = |seen: &Observation| counted(seen.detections.len(), "detection");
+    let detections = |seen: &Observation| format_count(seen.detections.len(), "detection");
     let earlier = (before.as_ref()).map_or_else(String::new, |before| {
         format!("before the log: {} of dirt; ", detections(before))
     });

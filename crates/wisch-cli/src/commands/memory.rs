@@ -1,7 +1,7 @@
 //! `wisch memory`: lists, shows, verifies and removes the episodes of a memory.
 
 use super::interpret::UNKNOWN;
-use super::words::{counted, internal, percent};
+use super::words::{format_count, internal, percent};
 use crate::args::{EpisodeArgs, GlobalArgs, MemoryArgs, MemoryListArgs, MemoryVerifyArgs, suggest};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print, print_json, remark};
@@ -46,13 +46,13 @@ struct Listed<'a> {
 
 /// Lists the episodes.
 pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
-    let catalogue = open(&args.memory)?.catalogue().map_err(broken)?;
+    let catalogue = open(&args.memory)?.catalogue().map_err(memory_failure)?;
     for why in catalogue.omitted_episodes() {
         let verify = suggest("memory verify");
         remark(&format!("{why}: left out; {verify} lists damaged files"));
     }
     let actions = actions(&catalogue);
-    let collisions = counts(&catalogue, "semco:HumanCollision");
+    let collisions = count_individuals(&catalogue, "semco:HumanCollision");
     let steps = count_steps(&catalogue);
     let mut listed: Vec<Listed<'_>> = catalogue
         .episodes()
@@ -69,7 +69,7 @@ pub fn list(args: &MemoryListArgs) -> Result<Outcome, Failure> {
     } else if listed.is_empty() {
         text = "the memory has no episodes; wisch run adds one\n".to_owned();
     } else {
-        text = table(&listed);
+        text = format_table(&listed);
     }
     print(&text)?;
     Ok(Outcome::Done)
@@ -123,7 +123,7 @@ impl Listed<'_> {
     /// The number of rounds, or in words that of the steps of a goal of several parts.
     fn rounds_in_words(&self) -> String {
         match self.steps {
-            Some(steps) => counted(steps, "step"),
+            Some(steps) => format_count(steps, "step"),
             None => self.rounds.to_string(),
         }
     }
@@ -144,7 +144,7 @@ fn actions(catalogue: &Catalogue) -> BTreeMap<IndividualId, IndividualId> {
 }
 
 /// The number of individuals of a class in each episode, by the episode's first individual.
-fn counts(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
+fn count_individuals(catalogue: &Catalogue, class: &str) -> BTreeMap<IndividualId, usize> {
     let mut counts = BTreeMap::new();
     for &id in catalogue.individuals_of_class(class) {
         *counts.entry(catalogue.episode_of(id).first).or_default() += 1;
@@ -162,7 +162,7 @@ fn count_steps(catalogue: &Catalogue) -> BTreeMap<IndividualId, usize> {
     counts
 }
 
-fn table(listed: &[Listed<'_>]) -> String {
+fn format_table(listed: &[Listed<'_>]) -> String {
     let width = |of: fn(&Listed<'_>) -> usize, least: usize| {
         listed.iter().map(of).max().unwrap_or(0).max(least)
     };
@@ -188,7 +188,7 @@ fn table(listed: &[Listed<'_>]) -> String {
             one.rounds_in_words()
         );
     }
-    text + &format!("{}\n", counted(listed.len(), "episode"))
+    text + &format!("{}\n", format_count(listed.len(), "episode"))
 }
 
 /// Formats a time [s since 1970] as a local date and time, if it is one.
@@ -203,12 +203,14 @@ fn undated() -> String {
 
 /// Shows an episode.
 pub fn show(args: &EpisodeArgs) -> Result<Outcome, Failure> {
-    let episode = open(&args.memory)?.episode(&args.id).map_err(broken)?;
-    let record = episode.record().map_err(broken)?;
+    let episode = open(&args.memory)?
+        .episode(&args.id)
+        .map_err(memory_failure)?;
+    let record = episode.record().map_err(memory_failure)?;
     if args.json {
         print_json(&record)?;
     } else {
-        let files = episode.files().map_err(broken)?;
+        let files = episode.files().map_err(memory_failure)?;
         let stamps = stamps_in_words(&episode, record.rounds.len())?;
         print(&(in_words(&record, &files) + &stamps))?;
     }
@@ -238,20 +240,20 @@ fn in_words(record: &EpisodeRecord, files: &[String]) -> String {
 fn stamps_in_words(episode: &Episode, rounds: usize) -> Result<String, Failure> {
     let mut text = String::new();
     for round in 1..=rounds {
-        if !episode.has_telemetry(round).map_err(broken)? {
+        if !episode.has_telemetry(round).map_err(memory_failure)? {
             continue;
         }
-        let telemetry = episode.telemetry(round).map_err(broken)?;
+        let telemetry = episode.telemetry(round).map_err(memory_failure)?;
         let Some(clock) = telemetry.stamp_clock() else {
             continue;
         };
         let stamps = telemetry.stamps();
-        let stamps = stamps.map_err(|error| broken(MemoryError::from(error)))?;
+        let stamps = stamps.map_err(|error| memory_failure(MemoryError::from(error)))?;
         let seconds = |nanoseconds: u64| nanoseconds as f64 / 1e9;
         let stated = stamps.into_iter().flatten().map(|stamp| stamp.nanoseconds);
         let stated: Vec<f64> = stated.map(seconds).collect();
         if let (Some(first), Some(last)) = (stated.first(), stated.last()) {
-            let count = counted(stated.len(), "sample");
+            let count = format_count(stated.len(), "sample");
             text += &format!(
                 "  stamps of round {round}: {count} from {first:.3} s to {last:.3} s on the clock {:?} of the driver\n",
                 clock.as_str()
@@ -271,7 +273,7 @@ fn line(individual: &Individual, depth: usize, start: f64) -> String {
     let values = individual.values.iter().map(|(property, value)| {
         let property = local(property);
         match value {
-            Value::Number(number) => format!("{property} {}", short(*number)),
+            Value::Number(number) => format!("{property} {}", format_short(*number)),
             Value::Text(text) => format!("{property} {text:?}"),
         }
     });
@@ -281,7 +283,7 @@ fn line(individual: &Individual, depth: usize, start: f64) -> String {
 }
 
 /// Formats a number with at most four decimals.
-fn short(number: f64) -> String {
+fn format_short(number: f64) -> String {
     let text = format!("{number:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -301,16 +303,18 @@ struct Verified {
 /// Verifies all episodes and prints the faults.
 pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let memory = open(&args.memory)?;
-    let episodes = memory.episodes().map_err(broken)?.len();
-    let faults = memory.verify().map_err(broken)?;
+    let episodes = memory.episodes().map_err(memory_failure)?.len();
+    let faults = memory.verify().map_err(memory_failure)?;
     let mut faults: Vec<String> = faults.iter().map(ToString::to_string).collect();
-    faults.extend(memory.ignored_episodes().map_err(broken)?);
+    faults.extend(memory.ignored_episodes().map_err(memory_failure)?);
     faults.extend(
         Assertions::read(memory.folder())
             .err()
             .map(|error| error.to_string()),
     );
-    faults.extend(dated_ahead(&memory.catalogue().map_err(broken)?));
+    faults.extend(list_future_episodes(
+        &memory.catalogue().map_err(memory_failure)?,
+    ));
     let is_well = faults.is_empty();
     if args.json {
         print_json(&Verified { episodes, faults })?;
@@ -319,9 +323,9 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
         let found = if is_well {
             "no faults".to_owned()
         } else {
-            counted(faults.len(), "fault")
+            format_count(faults.len(), "fault")
         };
-        text += &format!("{}: {found}\n", counted(episodes, "episode"));
+        text += &format!("{}: {found}\n", format_count(episodes, "episode"));
         print(&text)?;
     }
     Ok(if is_well {
@@ -333,7 +337,7 @@ pub fn verify(args: &MemoryVerifyArgs, global: &GlobalArgs) -> Result<Outcome, F
 
 /// Reports episodes that end in the future of this machine's clock. A simulation may be faster than the clock, so an episode
 /// with both durations ends after the shorter one.
-fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
+fn list_future_episodes(catalogue: &Catalogue) -> Vec<String> {
     let now = wisch_record::unix_time();
     let end_of = |row: &EpisodeRow| {
         let clock = clock_duration(catalogue, row).unwrap_or(f64::INFINITY);
@@ -353,7 +357,9 @@ fn dated_ahead(catalogue: &Catalogue) -> Vec<String> {
 
 /// Removes an episode.
 pub fn forget(args: &EpisodeArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    open(&args.memory)?.forget(&args.id).map_err(broken)?;
+    open(&args.memory)?
+        .forget(&args.id)
+        .map_err(memory_failure)?;
     if args.json {
         print_json(&serde_json::json!({ "forgotten": args.id }))?;
     } else if !global.quiet {
@@ -374,7 +380,7 @@ pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
 }
 
 /// Returns a failure from an error of the memory, with advice.
-pub(super) fn broken(error: MemoryError) -> Failure {
+pub(super) fn memory_failure(error: MemoryError) -> Failure {
     let help = match error {
         MemoryError::Unknown { .. } => format!("{} lists the episodes", suggest("memory list")),
         _ => format!(

@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod answer_page;
 mod ask;
 mod budget;
 mod check;
@@ -23,7 +24,6 @@ mod learn;
 mod log_advice;
 mod log_observation;
 mod log_report;
-mod look;
 mod map;
 mod memory;
 mod new;

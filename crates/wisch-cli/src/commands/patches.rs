@@ -1,7 +1,7 @@
 //! Tasks over all patches of a divided mesh: a command wipes one patch after another.
 
 use super::prepare::{load, stage_failure};
-use super::words::{counted, internal, percent};
+use super::words::{format_count, internal, percent};
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -56,7 +56,7 @@ impl TaskPatches {
                 .with_help("wipe the patches one by one: surface.mesh.patch = 1"));
         };
         let name = first.task.name.clone();
-        let tasks = share(count, &areas)
+        let tasks = divide_particles(count, &areas)
             .into_iter()
             .zip(1..)
             .map(|(count, number)| {
@@ -79,7 +79,7 @@ impl TaskPatches {
 }
 
 /// Shares particles by areas: at least one for each.
-fn share(count: usize, areas: &[f64]) -> Vec<usize> {
+fn divide_particles(count: usize, areas: &[f64]) -> Vec<usize> {
     let total: f64 = areas.iter().sum();
     let (mut sum, mut given) = (0.0, 0);
     let shares = areas.iter().map(|area| {
@@ -229,7 +229,7 @@ impl PatchesSummary {
         if self.predicted_performance.is_some() {
             let is_met = |patch: &&Summary| patch.prediction.is_some_and(|found| found.goal_met);
             let met = self.patches.iter().filter(is_met).count();
-            let patches = counted(self.patch_count, "patch").replace("patchs", "patches");
+            let patches = format_count(self.patch_count, "patch").replace("patchs", "patches");
             add("goal", format!("met on {met} of {patches}"));
         }
         let is_treatment = (self.patches.iter()).any(|patch| patch.treatment.is_some());
@@ -310,12 +310,15 @@ pub(super) fn performance_of(patch: &Summary) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::share;
+    use super::divide_particles;
 
     #[test]
     fn particles_are_shared_by_area() {
-        assert_eq!(share(100, &[0.2, 0.2, 0.1]), [40, 40, 20]);
-        assert_eq!(share(10, &[1.0, 1.0, 1.0]).iter().sum::<usize>(), 10);
-        assert_eq!(share(2, &[1.0, 1e-9, 1.0]), [1, 1, 1]);
+        assert_eq!(divide_particles(100, &[0.2, 0.2, 0.1]), [40, 40, 20]);
+        assert_eq!(
+            divide_particles(10, &[1.0, 1.0, 1.0]).iter().sum::<usize>(),
+            10
+        );
+        assert_eq!(divide_particles(2, &[1.0, 1e-9, 1.0]), [1, 1, 1]);
     }
 }

@@ -14,8 +14,8 @@ use wisch_memory::{Memory, RECORDING_FILE};
 /// Writes the page.
 pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
     let (page, name) = match find(args)? {
-        Source::Results(folder) => (page_of(&folder)?, name_of(folder.file_name())),
-        Source::Log(log) => (page_of_log(&log, global)?, name_of(log.log.file_stem())),
+        Source::Results(folder) => (page_of(&folder)?, format_name(folder.file_name())),
+        Source::Log(log) => (page_of_log(&log, global)?, format_name(log.log.file_stem())),
     };
     let out = args
         .out
@@ -77,7 +77,7 @@ fn find(args: &ReportArgs) -> Result<Source, Failure> {
         })
 }
 
-fn name_of(name: Option<&OsStr>) -> String {
+fn format_name(name: Option<&OsStr>) -> String {
     name.and_then(OsStr::to_str).unwrap_or("report").to_owned()
 }
 
@@ -103,7 +103,7 @@ pub fn recording_page(what: &str, memory: &Path) -> Result<(String, String), Fai
         ))
         .with_help("only runs with a robot have a scene that moves; wisch run writes it"));
     }
-    Ok((page_of(&folder)?, name_of(folder.file_name())))
+    Ok((page_of(&folder)?, format_name(folder.file_name())))
 }
 
 /// Returns the page of a folder: made from its recording, else its report.html.
@@ -112,7 +112,7 @@ fn page_of(folder: &Path) -> Result<String, Failure> {
     if recording.is_file() {
         let text = wisch_record::read_recording(&recording)?;
         return Ok(wisch_web::report_page(
-            &title(&text, &name_of(folder.file_name())),
+            &title(&text, &format_name(folder.file_name())),
             &text,
         ));
     }

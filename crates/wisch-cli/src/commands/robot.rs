@@ -5,7 +5,7 @@ mod start;
 
 use self::findings::FindingGroup;
 use self::start::{check_chain, check_start};
-use super::words::counted;
+use super::words::format_count;
 use crate::args::{GlobalArgs, RobotCheckArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
@@ -138,11 +138,11 @@ pub fn check_robot(args: &RobotCheckArgs, global: &GlobalArgs) -> Result<Outcome
         _ => Err(Failure::new(match srdf {
             Some(srdf) => format!(
                 "{srdf}: the SRDF cannot be used: {}",
-                counted(errors, "error")
+                format_count(errors, "error")
             ),
             None => format!(
                 "{name}: the robot cannot be loaded: {}",
-                counted(errors, "error")
+                format_count(errors, "error")
             ),
         })),
     }
@@ -223,7 +223,7 @@ impl<'a> RobotRecord<'a> {
             variables: (0..robot.dof())
                 .map(|i| robot.variable(i).name.as_str())
                 .collect(),
-            mass_kg: mass(robot),
+            mass_kg: sum_masses(robot),
         }
     }
 }
@@ -250,7 +250,7 @@ impl<'a> FindingRecord<'a> {
     }
 }
 
-fn mass(robot: &RobotModel) -> f64 {
+fn sum_masses(robot: &RobotModel) -> f64 {
     let bodies = robot.links().iter().filter_map(|link| link.body);
     bodies.fold(0.0, |sum, body| sum + body.mass)
 }
@@ -266,10 +266,10 @@ fn report(
         Some(robot) => format!(
             "{}: {}, {}, {}, {:.1} kg\n",
             robot.name(),
-            counted(robot.links().len(), "link"),
-            counted(robot.joints().len(), "joint"),
-            counted(robot.dof(), "variable"),
-            mass(robot)
+            format_count(robot.links().len(), "link"),
+            format_count(robot.joints().len(), "joint"),
+            format_count(robot.dof(), "variable"),
+            sum_masses(robot)
         ),
         None => format!("{name}\n"),
     };

@@ -1,6 +1,6 @@
 //! The rounds of a run in words.
 
-use super::words::{counted, percent};
+use super::words::{format_count, percent};
 use wisch::interpret::EventKind;
 use wisch::recover::{Claim, Verdict};
 use wisch::run::{Ending, Pause};
@@ -31,7 +31,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
                 .filter(|event| event.kind == EventKind::Push)
                 .count();
             if collisions > 0 {
-                text += &format!(", {}", counted(collisions, "collision"));
+                text += &format!(", {}", format_count(collisions, "collision"));
             }
             if let wisch::interpret::Diagnosis::Relocalize { .. } = interpretation.diagnosis
                 && let Some(plane) = &interpretation.plane
@@ -50,7 +50,7 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             }
             text += &pauses_in_words(&round.execution.pauses);
             if let dropped @ 1.. = round.execution.dropped_samples {
-                let dropped = counted(dropped, "sample");
+                let dropped = format_count(dropped, "sample");
                 text += &format!(", {dropped} dropped because the run's records were too slow");
             }
             let known = finished.truth.as_ref();

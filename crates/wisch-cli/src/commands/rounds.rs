@@ -2,12 +2,12 @@
 
 use super::PROGRAM;
 use super::interrupt::{UnfinishedRun, delay_signals, pause_on_signal, say_how_to_resume};
-use super::job::{Job, known_truths};
+use super::job::{Job, list_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
 use super::warnings::watch_for_warnings;
 use super::watch::Watch;
-use super::words::{counted, internal, json};
+use super::words::{format_count, internal, json};
 use crate::args::{GlobalArgs, LoopArgs, options_for};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -61,7 +61,7 @@ pub fn execute(
     global: &GlobalArgs,
 ) -> Result<Executed, Failure> {
     let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let identity = identity(job.prepared, robot, args, given.as_ref())?;
+    let identity = digest_run(job.prepared, robot, args, given.as_ref())?;
     let checkpoints = Checkpoints::new(&job.folder.checkpoint_folder(), identity);
     let killed = rounds_of_killed_run(job, &checkpoints)?;
     let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
@@ -75,7 +75,7 @@ pub fn execute(
         episode.keep_interrupted_episodes();
     }
     if args.resume && job.folder.leftovers().is_taken_over {
-        let rounds = counted(killed.len(), "round");
+        let rounds = format_count(killed.len(), "round");
         let text = format!("resuming after {rounds} of the killed run");
         job.progress.aside(|| remark(&text));
     }
@@ -150,7 +150,7 @@ fn record_options(
     let on_robot = args.on.is_some().then(|| "wisch-ros2".to_owned());
     let episode = (!args.memory.no_memory && args.air.is_none()).then(|| EpisodeTarget {
         memory: args.memory.memory.clone(),
-        executor: args.executor.as_deref().map(program_of).or(on_robot),
+        executor: args.executor.as_deref().map(find_program_name).or(on_robot),
         names: Some(job.folder.checkpoint_folder().join(EPISODES_FILE)),
         clock: Some(job.clock),
     });
@@ -189,7 +189,7 @@ fn rounds_of_killed_run(
     }
     let others = checkpoints.count_rounds_of_another_run();
     if others > 0 {
-        let (place, rounds) = (folder.target().display(), counted(others, "round"));
+        let (place, rounds) = (folder.target().display(), format_count(others, "round"));
         return Err(Failure::new(format!(
             "{place}: the killed run, which completed {rounds}, had another task, seed, setting or version of wisch"
         ))
@@ -260,12 +260,12 @@ fn results(
         ExecutedBy::SimulatedWorld
     };
     let rounds = session.into_rounds();
-    let truths = known_truths(prepared, &rounds, truth)
+    let truths = list_truths(prepared, &rounds, truth)
         .map_err(|error| stage_failure(job.task_args, error))?;
     let later = prepared.simulation.pushes.iter().map(|push| push.round);
     let later = later.filter(|_| !args.has_executor());
     for round in later.filter(|round| *round > rounds.len()) {
-        let count = counted(rounds.len(), "round");
+        let count = format_count(rounds.len(), "round");
         let text = format!(
             "the task's push in round {round} did not happen, because the run ended after {count}"
         );
@@ -348,7 +348,7 @@ impl Sinks<'_> {
             Ending::Complete => "",
             _ => "; the last round holds its executed part",
         };
-        let count = counted(rounds.len(), "round");
+        let count = format_count(rounds.len(), "round");
         progress.aside(|| remark(&format!("interrupted: {count} kept{part}")));
         Ok(())
     }
@@ -410,7 +410,7 @@ pub fn remark_episode_folder(kept: &Kept) {
 }
 
 /// Returns a digest of all inputs that change a run. The maximum number of rounds is not part of it.
-fn identity(
+fn digest_run(
     prepared: &LoadedTask,
     robot: &Robot,
     args: &LoopArgs,
@@ -494,7 +494,7 @@ fn start(command: &str, options: ProcessOptions) -> Result<ProcessExecutor, Fail
 }
 
 /// The name of the program of `--executor`, without its folder.
-fn program_of(command: &str) -> String {
+fn find_program_name(command: &str) -> String {
     let program = shlex::split(command).and_then(|words| words.into_iter().next());
     let name = program.as_deref().map(Path::new).and_then(Path::file_name);
     name.map_or_else(

@@ -1,8 +1,8 @@
 //! The summary of a command: a record for `--json`, and a text for people.
 
-use super::explain::{candidates, table};
+use super::explain::{format_table, summarise_candidates};
 use super::round_views::rounds_in_words;
-use super::words::{counted, percent};
+use super::words::{format_count, percent};
 use std::path::Path;
 use wisch::interpret::PerformanceDistribution;
 use wisch::recover::{Verdict, assess_goal};
@@ -50,7 +50,7 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
         distance_in_contact_m: in_contact,
         distance_total_m: in_all,
         planning_time_s: results.planning_time_s,
-        treatment: treatment(prepared, results),
+        treatment: summarise_treatment(prepared, results),
         following: (results.following.as_ref()).map(FollowedPlan::summary),
         prediction: prediction.map(|prediction| {
             let performance = prediction.performance;
@@ -66,13 +66,13 @@ pub(super) fn summary(prepared: &LoadedTask, results: &RunResults, out: &Path) -
             }
         }),
         execution,
-        candidates: (results.considered.as_ref()).map(|all| candidates(all, plan, task)),
+        candidates: (results.considered.as_ref()).map(|all| summarise_candidates(all, plan, task)),
         out: out.display().to_string(),
     }
 }
 
 /// Returns what is known about the goal after the last round; `None` without an executed round.
-fn goal_of(rounds: &[FinishedRound], target: f64) -> Option<Verdict> {
+fn decide_goal(rounds: &[FinishedRound], target: f64) -> Option<Verdict> {
     let last = &rounds.last()?.round;
     Some(assess_goal(
         last.verdict,
@@ -84,7 +84,7 @@ fn goal_of(rounds: &[FinishedRound], target: f64) -> Option<Verdict> {
 
 /// Returns whether the goal is met, not met or unknown.
 fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
-    match goal_of(&results.rounds, target) {
+    match decide_goal(&results.rounds, target) {
         _ if results.is_goal_met(target) => "met",
         Some(Verdict::UnknowableByTouch | Verdict::Undecidable) => "unknown",
         None if results.unseen.is_some() || results.is_only_predicted(target) => "unknown",
@@ -94,7 +94,7 @@ fn goal_in_words(results: &RunResults, target: f64) -> &'static str {
 }
 
 /// Averages the passes over the points of a treated surface: as estimated after the last round, else as predicted.
-fn treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSummary> {
+fn summarise_treatment(prepared: &LoadedTask, results: &RunResults) -> Option<TreatmentSummary> {
     let task = &prepared.task;
     let treatment = task.treatment?;
     let places: Vec<ParticleDistribution> = match results.rounds.last() {
@@ -157,13 +157,13 @@ fn performance_in_words(
         Some(execution) => ("estimated", execution.final_estimated),
         None => ("predicted", prediction.predicted_performance),
     };
-    let verdict = match goal_of(rounds, target) {
+    let verdict = match decide_goal(rounds, target) {
         // A camera sees dirt, but neither polish nor a coat.
         Some(Verdict::UnknowableByTouch) if summary.treatment.is_none() => {
             "unknown, needs a camera"
         }
         _ if prediction.goal == "not met"
-            && (performance >= target || goal_of(rounds, target).is_some())
+            && (performance >= target || decide_goal(rounds, target).is_some())
             && above.is_some_and(|above| above > 1.0 - target) =>
         {
             "not met: too many points above max_passes"
@@ -233,9 +233,9 @@ pub(super) fn in_words(
         "graph",
         format!(
             "{}, {}, {}",
-            counted(summary.nodes, "node"),
-            counted(summary.edges, "edge"),
-            counted(summary.strokes, "stroke")
+            format_count(summary.nodes, "node"),
+            format_count(summary.edges, "edge"),
+            format_count(summary.strokes, "stroke")
         ),
     ));
     let in_rounds = match rounds.len() {
@@ -281,7 +281,7 @@ pub(super) fn in_words(
         text += &format!("  {name:<18} {value}\n");
     }
     if let Some(candidates) = &summary.candidates {
-        text += &table(candidates);
+        text += &format_table(candidates);
     }
     text
 }
@@ -333,13 +333,13 @@ fn treatment_in_words(treatment: &TreatmentSummary, action: &str) -> Vec<(&'stat
 fn robot_in_words(following: &FollowingSummary, in_rounds: &str) -> Vec<(&'static str, String)> {
     let places = match following.placements.len() {
         0 => String::new(),
-        count => format!(", {}", counted(count, "placement")),
+        count => format!(", {}", format_count(count, "placement")),
     };
     let in_rounds_if_any = match following.abandoned_nodes {
         0 => "",
         _ => in_rounds,
     };
-    let abandoned = counted(following.abandoned_nodes, "node");
+    let abandoned = format_count(following.abandoned_nodes, "node");
     let mut lines = vec![(
         "robot",
         format!(
@@ -397,7 +397,7 @@ fn faults_in_words(
         return Vec::new();
     };
     let verdict = Verdict::UnsafeMotion.as_str();
-    let faults = counted(count, "fault");
+    let faults = format_count(count, "fault");
     let motion = match round {
         Some(round @ 2..) => format!("the motion of round {round}"),
         _ => "the motion".to_owned(),

@@ -13,7 +13,7 @@ use super::rounds::{Executed, Kept, execute, remark_episode_folder};
 use super::summary::{in_words, summary};
 use super::swept::{SweptSurface, find_collected};
 use super::watch::show;
-use super::words::{counted, internal};
+use super::words::{format_count, internal};
 use crate::args::{GlobalArgs, LoopArgs, ResultArgs, RobotArgs, TaskArgs, suggest};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -78,7 +78,7 @@ pub(super) fn wipe_surface(
     let any_robot = RobotArgs::default();
     let chosen = choose_robot(extent, &any_robot, task_args, &prepared)?;
     let given = plan_file
-        .map(|path| given_plan(path, &mut prepared))
+        .map(|path| read_given_plan(path, &mut prepared))
         .transpose()?;
     if chosen.is_none() && given.is_none() {
         remark_unweighed(&prepared);
@@ -130,7 +130,7 @@ pub(super) fn wipe_surface(
     }
     written?;
     if let Some(failure) = broken {
-        let rounds = counted(results_of.rounds.len(), "round");
+        let rounds = format_count(results_of.rounds.len(), "round");
         remark(&format!(
             "{rounds} kept in {}; the last round holds its executed part",
             out.display()
@@ -380,11 +380,12 @@ fn simulate_effect(
     let robot = job.robot.map(|(_, robot)| robot);
     let mut record = RunRecord::begin(loaded, robot, options)?;
     record.remarks().iter().for_each(|text| remark(text));
-    let mut look = |event: &RunEvent<'_>| {
+    let mut handle_event = |event: &RunEvent<'_>| {
         show(job.progress, event);
         record.on_event(event)
     };
-    (session.run_until(until, &mut NoExecutor, &mut look)).map_err(|error| job.failed(error))?;
+    (session.run_until(until, &mut NoExecutor, &mut handle_event))
+        .map_err(|error| job.failed(error))?;
     let mut results = match (session.plan(), session.first_motion()) {
         (_, Some(_)) => record.results(&session)?,
         (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),
@@ -413,7 +414,7 @@ fn predict_without_robot(
 ) -> RunResults {
     let task = &job.prepared.task;
     let predicted = (!matches!(extent, Extent::Plan { .. })).then(|| {
-        let strokes = counted(plan.strokes.len(), "stroke");
+        let strokes = format_count(plan.strokes.len(), "stroke");
         job.progress.say(format!("predicting {strokes}"));
         let mut frames = EffectFrames::new(task, plan);
         (predict(task, plan, |p| frames.record(p)), frames)
@@ -435,7 +436,7 @@ fn predict_without_robot(
 }
 
 /// Reads a plan file, checks its strokes, and adopts its strategy.
-pub(super) fn given_plan(path: &Path, prepared: &mut LoadedTask) -> Result<Plan, Failure> {
+pub(super) fn read_given_plan(path: &Path, prepared: &mut LoadedTask) -> Result<Plan, Failure> {
     let text = read_text(path)?;
     let in_file = |error| Failure::new(format!("{}: {error}", path.display()));
     let record = PlanRecord::parse(&text).map_err(in_file)?;

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 
 /// Formats a count with its noun; the plural takes an s.
-pub fn counted(count: usize, noun: &str) -> String {
+pub fn format_count(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {noun}{plural}")
 }

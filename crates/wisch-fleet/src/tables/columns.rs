@@ -470,7 +470,7 @@ pub const TABLES: [Table; 7] = [
                 "alike_episodes",
                 ColumnKind::Text,
                 "–",
-                "names of the most alike earlier episodes, separated by spaces",
+                "names of the most similar earlier episodes, separated by spaces",
             ),
         ],
     },

@@ -28,7 +28,7 @@ pub struct WarningRecord {
     pub p_value: f64,
     /// Number of episodes that the run is compared with.
     pub episodes: usize,
-    /// The most alike episodes, the most alike one first.
+    /// The most similar episodes, the most similar one first.
     pub alike: Vec<AlikeEpisodeRecord>,
 }
 

@@ -163,14 +163,14 @@ fn select(root: &mut Value<'_>, source: &Source<'_>) -> Result<(), TaskError> {
     let parts: Vec<String> = goal.parts().map(|(_, fact)| fact.to_string()).collect();
     if parts.len() > 1 {
         let problem = format!(
-            "the goal has {} parts, and here one is needed: choose it, such as with --set goal='{}'",
+            "the goal has {} parts, but this command needs one: choose it, for example with --set goal='{}'",
             parts.len(),
             parts[0]
         );
         return Err(fault(at, "goal", problem));
     }
     let Some((_, fact)) = goal.parts().find(|(holds, _)| *holds) else {
-        let problem = format!("{goal} is no fact that is to hold, and here one is needed");
+        let problem = format!("{goal} is negated, but this command needs a fact that is to hold");
         return Err(fault(at, "goal", problem));
     };
     if !is_fact && let Some(value) = get_mut(root, "goal") {

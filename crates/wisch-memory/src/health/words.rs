@@ -286,7 +286,7 @@ fn state_in_words(assessment: &ChannelAssessment) -> &'static str {
     } else if is_drift {
         "improves"
     } else if (assessment.trend.as_ref()).is_none_or(|trend| !trend.can_show_drift) {
-        "too few to tell"
+        "too few runs"
     } else {
         "none"
     }

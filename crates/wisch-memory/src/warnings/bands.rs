@@ -12,7 +12,7 @@ const LEAST_WINDOWS: usize = 8;
 const SCALE_QUANTILE: f64 = 0.9;
 /// Number of windows from which the mean of a run counts half.
 const SETTLING_WINDOWS: f64 = 10.0;
-/// Number of the most alike episodes that a warning names.
+/// Number of the most similar episodes that a warning names.
 const ALIKE: usize = 3;
 /// Scores of a run: for each channel the largest momentary one [1], and that of the mean, in the channel's unit.
 const PARTS: usize = 2 * CHANNELS;
@@ -239,7 +239,7 @@ impl ConformalBands {
         beyond
     }
 
-    /// Returns the episodes whose scores resemble those of a run so far, the most alike one first.
+    /// Returns the episodes whose scores resemble those of a run so far, the most similar one first.
     pub fn alike(&self, run: &RunScore) -> Vec<AlikeEpisode> {
         let parts = divide(&run.parts, &self.scales).map(f64::ln_1p);
         let distance = |other: &ScoredEpisode| {

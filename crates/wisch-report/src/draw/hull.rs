@@ -13,8 +13,8 @@ pub(crate) fn hull(points: impl IntoIterator<Item = Point2>) -> Vec<Point2> {
     let mut points: Vec<Point2> = points.into_iter().collect();
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
-    let mut lower = half_hull(points.iter());
-    let mut upper = half_hull(points.iter().rev());
+    let mut lower = build_half_hull(points.iter());
+    let mut upper = build_half_hull(points.iter().rev());
     // Each half ends where the other begins.
     lower.pop();
     upper.pop();
@@ -22,7 +22,7 @@ pub(crate) fn hull(points: impl IntoIterator<Item = Point2>) -> Vec<Point2> {
     if lower.is_empty() { points } else { lower }
 }
 
-fn half_hull<'a>(points: impl Iterator<Item = &'a Point2>) -> Vec<Point2> {
+fn build_half_hull<'a>(points: impl Iterator<Item = &'a Point2>) -> Vec<Point2> {
     let mut chain: Vec<Point2> = Vec::new();
     for &point in points {
         while let [.., a, b] = chain[..] {

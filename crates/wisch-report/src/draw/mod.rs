@@ -17,7 +17,9 @@ pub(crate) use contour::Contours;
 pub(crate) use figure::Figure;
 pub(crate) use hull::{hull, outline};
 pub(crate) use legend::Entry;
-pub(crate) use numbers::{decimals, grouped, metres, percent, px, range, tick_step};
+pub(crate) use numbers::{
+    count_decimals, find_range, find_tick_step, format_decimal, format_percent, group_thousands, px,
+};
 pub(crate) use palette::{BANDS, page_rules};
 pub(crate) use panel::{GAP, Panel, WIDTH, inset, shorten};
 #[cfg(any(test, feature = "png"))]

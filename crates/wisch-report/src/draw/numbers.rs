@@ -11,7 +11,7 @@ pub(crate) fn px(value: f64) -> String {
 }
 
 /// Formats a number with a given number of digits and a typographic minus sign.
-pub(crate) fn metres(value: f64, digits: usize) -> String {
+pub(crate) fn format_decimal(value: f64, digits: usize) -> String {
     let text = format!("{:.digits$}", value.abs());
     if value < 0.0 && text.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         format!("\u{2212}{text}")
@@ -21,12 +21,12 @@ pub(crate) fn metres(value: f64, digits: usize) -> String {
 }
 
 /// Formats a share as per cent with one decimal.
-pub(crate) fn percent(share: f64) -> String {
+pub(crate) fn format_percent(share: f64) -> String {
     format!("{:.1} %", share * 100.0)
 }
 
 /// Formats a count with separated thousands.
-pub(crate) fn grouped(count: usize) -> String {
+pub(crate) fn group_thousands(count: usize) -> String {
     let digits = count.to_string();
     let first = digits.len() % 3;
     digits
@@ -39,7 +39,7 @@ pub(crate) fn grouped(count: usize) -> String {
 }
 
 /// Returns the smallest round step (1, 2 or 5 times a power of ten) of at least `wanted`.
-pub(crate) fn tick_step(wanted: f64) -> f64 {
+pub(crate) fn find_tick_step(wanted: f64) -> f64 {
     if !(wanted.is_finite() && wanted > 0.0) {
         return 1.0;
     }
@@ -52,12 +52,12 @@ pub(crate) fn tick_step(wanted: f64) -> f64 {
 }
 
 /// Returns the number of decimals that distinguish multiples of `step`.
-pub(crate) fn decimals(step: f64) -> usize {
+pub(crate) fn count_decimals(step: f64) -> usize {
     (-(step.log10() + 1e-9).floor()).clamp(0.0, 6.0) as usize
 }
 
 /// Returns the smallest and the largest value; 0 and 0 without values.
-pub(crate) fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+pub(crate) fn find_range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
         (low.min(v), high.max(v))
     });

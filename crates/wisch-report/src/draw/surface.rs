@@ -52,7 +52,7 @@ pub(crate) fn outcome(goal: &GoalState, surface: &Surface, particle: Particle) -
 }
 
 /// Label of particles that have reached the goal.
-pub(crate) fn achieved(goal: &GoalState) -> &'static str {
+pub(crate) fn achieved_label(goal: &GoalState) -> &'static str {
     match goal {
         GoalState::Absorbed => "absorbed",
         GoalState::Collected { .. } => "in the goal area",
@@ -63,7 +63,7 @@ pub(crate) fn achieved(goal: &GoalState) -> &'static str {
 }
 
 /// Label of particles that have not reached the goal.
-pub(crate) fn open(goal: &GoalState) -> &'static str {
+pub(crate) fn open_label(goal: &GoalState) -> &'static str {
     match goal {
         GoalState::Polished { .. } => "still to be polished",
         GoalState::Dispensed { .. } => "still to be coated",
@@ -72,7 +72,7 @@ pub(crate) fn open(goal: &GoalState) -> &'static str {
 }
 
 /// Label of lost particles.
-pub(crate) fn lost(goal: &GoalState) -> &'static str {
+pub(crate) fn lost_label(goal: &GoalState) -> &'static str {
     match goal {
         GoalState::Dispensed { .. } => "coated too thickly",
         _ => "lost over another edge",
@@ -86,7 +86,7 @@ pub(crate) fn dot_radius(view: &View, count: usize) -> f64 {
 }
 
 /// Draws the surface, its edges and the goal.
-pub(crate) fn ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup {
+pub(crate) fn draw_ground(view: &View, surface: &Surface, goal: &GoalState) -> Markup {
     let outline = view.rings(surface.outline.rings());
     let edges: Vec<_> = surface.outline.edges().collect();
     let skim = surface.skim_edges.iter().filter_map(|&i| edges.get(i));

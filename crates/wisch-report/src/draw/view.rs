@@ -1,6 +1,6 @@
 //! Mapping from metres on the surface to units of a picture, with axes.
 
-use super::numbers::{decimals, metres, px, tick_step};
+use super::numbers::{count_decimals, find_tick_step, format_decimal, px};
 use maud::{Markup, html};
 use std::fmt::Write;
 use wisch::geometry::{Bounds2, PlanarPose, Point2, Region, Vector2};
@@ -121,27 +121,27 @@ impl View {
 
     /// Draws axes with numbers in metres around the view.
     pub(crate) fn axes(&self) -> Markup {
-        let step = tick_step(TICK_PITCH / self.scale);
+        let step = find_tick_step(TICK_PITCH / self.scale);
         let (right, bottom) = (self.left + self.width(), self.top + self.height());
         let ticks = |low: f64, high: f64| {
             ((low / step).ceil() as i64..=(high / step).floor() as i64)
                 .map(move |i| i as f64 * step)
         };
-        let digits = decimals(step);
+        let digits = count_decimals(step);
         html! {
             rect class="axis" x=(px(self.left)) y=(px(self.top)) width=(px(self.width())) height=(px(self.height())) {}
             @for x in ticks(self.low.x, self.high.x) {
                 @let at = self.at(Point2::new(x, self.low.y)).0;
                 path class="axis" d=(format!("M{} {}v5", px(at), px(bottom))) {}
                 @if at < right - 46.0 {
-                    text class="text quiet small middle" x=(px(at)) y=(px(bottom + 17.0)) { (metres(x, digits)) }
+                    text class="text quiet small middle" x=(px(at)) y=(px(bottom + 17.0)) { (format_decimal(x, digits)) }
                 }
             }
             @for y in ticks(self.low.y, self.high.y) {
                 @let at = self.at(Point2::new(self.low.x, y)).1;
                 path class="axis" d=(format!("M{} {}h-5", px(self.left), px(at))) {}
                 @if at > self.top + 18.0 {
-                    text class="text quiet small end" x=(px(self.left - 8.0)) y=(px(at + 4.0)) { (metres(y, digits)) }
+                    text class="text quiet small end" x=(px(self.left - 8.0)) y=(px(at + 4.0)) { (format_decimal(y, digits)) }
                 }
             }
             text class="text quiet small end" x=(px(right)) y=(px(bottom + 17.0)) { "x [m]" }
@@ -151,7 +151,7 @@ impl View {
 
     /// Draws a scale bar of a round length in the lower left corner of the view.
     pub(crate) fn scale_bar(&self) -> Markup {
-        let length = tick_step(0.12 * self.width() / self.scale);
+        let length = find_tick_step(0.12 * self.width() / self.scale);
         let (x, y) = (self.left + 12.0, self.top + self.height() - 12.0);
         let label = if length < 0.995 {
             format!("{} cm", (length * 100.0 * 10.0).round() / 10.0)

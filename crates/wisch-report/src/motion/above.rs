@@ -19,17 +19,17 @@ const STILL: f64 = 1e-3;
 
 /// Draws the plan view; `None` if there is nothing to show.
 pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel> {
-    let base = base(input.robot)?;
-    let body = footprint(input.robot, base);
+    let base = find_base(input.robot)?;
+    let body = find_footprint(input.robot, base);
     let way: Vec<Point2> = (frames.path(input, base, Point3::origin()).iter())
         .map(|p| p.xy())
         .collect();
-    let stands = stands(input, frames, base);
+    let stands = list_base_poses(input, frames, base);
     let tool = input.link_from_tool.translation.vector.into();
     let path: Vec<Point2> = (frames.path(input, input.tool_link, tool).iter())
         .map(|p| p.xy())
         .collect();
-    let surface = surface(input);
+    let surface = list_surface_rings(input);
     let bodies: Vec<Vec<Point2>> = stands
         .iter()
         .map(|stand| place_points(&body, stand))
@@ -63,7 +63,7 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
         }
         (draw_numbers(&view, &stands))
     };
-    let (legend, below) = legend(input, drives, view.bottom());
+    let (legend, below) = draw_legend(input, drives, view.bottom());
     Some(Panel {
         width: WIDTH,
         height: view.bottom() + below,
@@ -77,7 +77,7 @@ pub(crate) fn panel(input: &MotionInput, frames: &SampledMotion) -> Option<Panel
 }
 
 /// Returns the link on the floor: the first link with a shape, or the link to which it is fixed.
-fn base(robot: &RobotModel) -> Option<LinkId> {
+fn find_base(robot: &RobotModel) -> Option<LinkId> {
     let shaped = robot
         .links()
         .iter()
@@ -93,7 +93,7 @@ fn base(robot: &RobotModel) -> Option<LinkId> {
 }
 
 /// Returns the outline of the base and of all links fixed to it, in the base frame [m].
-fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
+fn find_footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
     let zero = vec![0.0; robot.dof()];
     let Ok(kinematics) = robot.forward_kinematics(&zero) else {
         return Vec::new();
@@ -119,7 +119,7 @@ fn footprint(robot: &RobotModel, base: LinkId) -> Vec<Point2> {
 }
 
 /// Returns the chosen base poses, or the initial pose.
-fn stands(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<PlanarPose> {
+fn list_base_poses(input: &MotionInput, frames: &SampledMotion, base: LinkId) -> Vec<PlanarPose> {
     let stand = |p: &BasePose| PlanarPose::new(Point2::new(p.x, p.y), p.yaw);
     let known =
         (input.placements.iter()).filter(|p| [p.x, p.y, p.yaw].iter().all(|v| v.is_finite()));
@@ -146,7 +146,7 @@ fn place_points(points: &[Point2], world_from_base: &PlanarPose) -> Vec<Point2> 
         .collect()
 }
 
-fn surface(input: &MotionInput) -> Vec<Vec<Point2>> {
+fn list_surface_rings(input: &MotionInput) -> Vec<Vec<Point2>> {
     let surface = &input.task.surface;
     let place = |p: &Point2| {
         surface
@@ -203,7 +203,7 @@ fn draw_ratings(input: &MotionInput, view: &View) -> Markup {
             blocked.cross(at, 0.7 * radius);
         } else {
             rim.dot(at);
-            bands[band(place.rating) - 1].dot(at);
+            bands[find_band(place.rating) - 1].dot(at);
         }
     }
     html! {
@@ -216,7 +216,7 @@ fn draw_ratings(input: &MotionInput, view: &View) -> Markup {
 }
 
 /// Returns the band of a rating, from 1 to [`BANDS`].
-fn band(rating: f64) -> usize {
+fn find_band(rating: f64) -> usize {
     (rating * BANDS as f64)
         .floor()
         .clamp(0.0, BANDS as f64 - 1.0) as usize
@@ -291,7 +291,7 @@ fn draw_numbers(view: &View, stands: &[PlanarPose]) -> Markup {
 }
 
 /// Draws the legend from a height on; returns its height, too.
-fn legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
+fn draw_legend(input: &MotionInput, drives: bool, top: f64) -> (Markup, f64) {
     const LEFT: f64 = 48.0;
     let is_blocked = |place: &CandidateBase| place.blocked;
     let wiping = |phase: &ShownPhase| phase.contact == ShownContact::Wiping;

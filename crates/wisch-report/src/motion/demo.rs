@@ -36,7 +36,7 @@ impl Demo {
             read(Path::new(path)).map_err(|error| error.to_string())
         })
         .expect("the shipped robot can be used");
-        let task = task(&root.join("scenarios/chopping-board.toml"));
+        let task = load_task_file(&root.join("scenarios/chopping-board.toml"));
         let config = PlanConfig {
             strategy: CoverageStrategy::Kde.into(),
             seed: 1,
@@ -44,16 +44,16 @@ impl Demo {
             ..PlanConfig::default()
         };
         let plan = plan(&task, &config).expect("a plan");
-        let samples = samples(&robot, &task, &plan);
+        let samples = sample_strokes(&robot, &task, &plan);
         let mut demo = Self {
             robot,
             task,
             samples,
             phases: Vec::new(),
             placements: [FROM, AT].map(|[x, y, yaw]| BasePose { x, y, yaw }).into(),
-            ratings: ratings(),
+            ratings: list_ratings(),
         };
-        demo.phases = phases(&demo.input());
+        demo.phases = list_phases(&demo.input());
         demo
     }
 
@@ -72,7 +72,7 @@ impl Demo {
     }
 }
 
-fn task(path: &Path) -> Task {
+fn load_task_file(path: &Path) -> Task {
     let options = LoadOptions {
         action: Some(Action::Collect),
         seed: Some(1),
@@ -83,7 +83,7 @@ fn task(path: &Path) -> Task {
 }
 
 /// Returns timed postures along the plan's path; each follows from the one before by damped least squares.
-fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample> {
+fn sample_strokes(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample> {
     let index = |name: &str| {
         let joint = robot.joint(name).expect("a joint");
         let mut variables = robot.variables().iter();
@@ -111,8 +111,8 @@ fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample
     let torso = (1..=3).map(|i| format!("torso_{i}"));
     let moving: Vec<usize> = torso.chain(arm).map(|name| index(&name)).collect();
     let home = q.clone();
-    for target in waypoints(task, plan) {
-        reach(robot, tcp, &moving, &mut q, &target);
+    for target in list_waypoints(task, plan) {
+        solve_reach(robot, tcp, &moving, &mut q, &target);
         path.push(q.clone());
     }
     path.push(home);
@@ -145,7 +145,7 @@ fn samples(robot: &RobotModel, task: &Task, plan: &Plan) -> Vec<TrajectorySample
 }
 
 /// Returns tool positions in the world, 1 cm apart [m].
-fn waypoints(task: &Task, plan: &Plan) -> Vec<Point3> {
+fn list_waypoints(task: &Task, plan: &Plan) -> Vec<Point3> {
     let place = |w: &TcpWaypoint| {
         let position = w.surface_from_tool.position;
         task.surface.world_from_surface * Point3::new(position.x, position.y, w.height)
@@ -162,7 +162,7 @@ fn waypoints(task: &Task, plan: &Plan) -> Vec<Point3> {
 }
 
 /// Moves the tool centre to a point with its axis upright, within the joint limits.
-fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], target: &Point3) {
+fn solve_reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], target: &Point3) {
     for _ in 0..200 {
         let kinematics = robot.forward_kinematics(q).expect("n positions");
         let pose = kinematics.world_from_link(tcp);
@@ -190,7 +190,7 @@ fn reach(robot: &RobotModel, tcp: LinkId, moving: &[usize], q: &mut [f64], targe
 }
 
 /// Derives the phases wiping, lifting and driving from the motion of tool and base.
-fn phases(input: &MotionInput) -> Vec<ShownPhase> {
+fn list_phases(input: &MotionInput) -> Vec<ShownPhase> {
     let surface_from_world = input.task.surface.world_from_surface.inverse();
     let mut phases: Vec<ShownPhase> = Vec::new();
     let mut strokes = 0;
@@ -226,7 +226,7 @@ fn phases(input: &MotionInput) -> Vec<ShownPhase> {
 }
 
 /// Returns a grid of rated positions; the best are about an arm's length from the board.
-fn ratings() -> Vec<CandidateBase> {
+fn list_ratings() -> Vec<CandidateBase> {
     let step = 0.1;
     let column = move |x: i32| (-17..=4).map(move |y| (f64::from(x) * step, f64::from(y) * step));
     (-12..=12)

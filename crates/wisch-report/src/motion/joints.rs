@@ -2,7 +2,9 @@
 
 use super::input::{MotionInput, ShownContact};
 use super::sampled::with_velocities;
-use crate::draw::{Panel, Pen, axes, decimals, metres, px, range, shorten, tick_step};
+use crate::draw::{
+    Panel, Pen, axes, count_decimals, find_range, find_tick_step, format_decimal, px, shorten,
+};
 use maud::{Markup, html};
 use wisch::follow::TrajectorySample;
 use wisch::robot::Joint;
@@ -85,7 +87,7 @@ pub(crate) fn panel(input: &MotionInput) -> Panel {
         .partition(JointHistory::moves);
     let rows = moving.len().min(MAX_ROWS);
     let bottom = TOP + ROW * rows as f64;
-    let still = still_lines(&still, moving.len() - rows);
+    let still = describe_still_joints(&still, moving.len() - rows);
     let height = bottom + 34.0 + 18.0 * still.len() as f64;
     let body = html! {
         (draw_contact(input, &times, bottom))
@@ -117,13 +119,13 @@ impl<'a> JointHistory<'a> {
     }
 
     fn moves(&self) -> bool {
-        let (low, high) = range(self.position.iter().copied());
+        let (low, high) = find_range(self.position.iter().copied());
         high - low > STILL
     }
 
     /// Returns an axis around the positions, which includes a limit if it is near.
     fn position_axis(&self, top: f64) -> Axis {
-        let (low, high) = range(self.position.iter().copied());
+        let (low, high) = find_range(self.position.iter().copied());
         let extent = (high - low).max(LEAST_EXTENT);
         let near = 0.8 * extent;
         let (mut from, mut to) = (low, high);
@@ -173,22 +175,26 @@ fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
     let unit = joint.kind.unit();
     let positions = course.position_axis(top);
     let (of, velocities) = course.velocity_axis(top);
-    let step = tick_step((positions.high - positions.low) / 4.5);
+    let step = find_tick_step((positions.high - positions.low) / 4.5);
     let ticks = (positions.low / step).ceil() as i64..=(positions.high / step).floor() as i64;
     let limits = joint
         .limits
         .position
         .map(|limits| [limits.lower, limits.upper]);
     let bounds = limits.map_or("no limits".to_owned(), |[lower, upper]| {
-        format!("limits {} … {} {unit}", metres(lower, 2), metres(upper, 2))
+        format!(
+            "limits {} … {} {unit}",
+            format_decimal(lower, 2),
+            format_decimal(upper, 2)
+        )
     });
-    let (low, high) = range(course.position.iter().copied());
+    let (low, high) = find_range(course.position.iter().copied());
     let relative: Vec<f64> = course.velocity.iter().map(|v| v / of).collect();
     let fastest = relative.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
     html! {
         text class="text strong" x=(px(NAME)) y=(px(top + 14.0)) { (shorten(&joint.name, 20)) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 31.0)) { (bounds) }
-        text class="text small quiet" x=(px(NAME)) y=(px(top + 46.0)) { "moves " (metres(low, 2)) " … " (metres(high, 2)) " " (unit) }
+        text class="text small quiet" x=(px(NAME)) y=(px(top + 46.0)) { "moves " (format_decimal(low, 2)) " … " (format_decimal(high, 2)) " " (unit) }
         text class="text small quiet" x=(px(NAME)) y=(px(top + 61.0)) {
             @if joint.limits.velocity.is_some() {
                 "at most " (format!("{:.0} %", 100.0 * fastest)) " of " (format!("{of}")) " " (unit) "/s"
@@ -200,11 +206,11 @@ fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
         @for tick in ticks {
             @let y = positions.down(tick as f64 * step);
             path class="rule" d=(format!("M{} {}h{}", px(POSITION), px(y), px(CURVE))) {}
-            text class="text small quiet end" x=(px(POSITION - 6.0)) y=(px(y + 4.0)) { (metres(tick as f64 * step, decimals(step))) }
+            text class="text small quiet end" x=(px(POSITION - 6.0)) y=(px(y + 4.0)) { (format_decimal(tick as f64 * step, count_decimals(step))) }
         }
         (draw_limits(&positions, limits))
         rect class="axis" x=(px(POSITION)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
-        path class="course" d=(curve(times, &course.position, &positions)) {}
+        path class="course" d=(format_curve(times, &course.position, &positions)) {}
         (draw_forbidden_bands(&velocities, Some([-1.0, 1.0])))
         @for (value, label) in [(-1.0, "−100 %"), (0.0, "0"), (1.0, "100 %")] {
             @let y = velocities.down(value);
@@ -213,7 +219,7 @@ fn draw_row(course: &JointHistory, times: &Times, top: f64) -> Markup {
         }
         @if joint.limits.velocity.is_some() { (draw_limits(&velocities, Some([-1.0, 1.0]))) }
         rect class="axis" x=(px(VELOCITY)) y=(px(top)) width=(px(CURVE)) height=(px(CURVE_HEIGHT)) {}
-        path class="course" d=(curve(times, &relative, &velocities)) {}
+        path class="course" d=(format_curve(times, &relative, &velocities)) {}
     }
 }
 
@@ -272,7 +278,7 @@ fn draw_headings(bottom: f64) -> Markup {
 }
 
 fn draw_time_axis(times: &Times, left: f64, y: f64) -> Markup {
-    let step = tick_step(times.duration / 6.0);
+    let step = find_tick_step(times.duration / 6.0);
     let last = if times.duration > 0.0 {
         (times.duration / step + 1e-9) as i64
     } else {
@@ -280,13 +286,16 @@ fn draw_time_axis(times: &Times, left: f64, y: f64) -> Markup {
     };
     let ticks = (0..=last).map(|tick| {
         let time = times.first + tick as f64 * step;
-        (left + times.across(time), metres(time, decimals(step)))
+        (
+            left + times.across(time),
+            format_decimal(time, count_decimals(step)),
+        )
     });
-    axes::below(ticks, y, 17.0)
+    axes::draw_ticks_below(ticks, y, 17.0)
 }
 
 /// Returns lines with the names of joints that do not move, and the number of moving joints that are not drawn.
-fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
+fn describe_still_joints(still: &[JointHistory], left_out: usize) -> Vec<String> {
     const LONGEST: usize = 150;
     let mut lines = Vec::new();
     if left_out > 0 {
@@ -312,7 +321,7 @@ fn still_lines(still: &[JointHistory], left_out: usize) -> Vec<String> {
 }
 
 /// Returns the simplified curve of values as an SVG path.
-fn curve(times: &Times, values: &[f64], axis: &Axis) -> String {
+fn format_curve(times: &Times, values: &[f64], axis: &Axis) -> String {
     let places: Vec<(f64, f64)> = (times.samples.iter().zip(values))
         .map(|(sample, &value)| (axis.left + times.across(sample.time), axis.down(value)))
         .collect();

@@ -1,7 +1,7 @@
 //! Performance over the distance wiped.
 
 use super::layers::Drawing;
-use crate::draw::{Panel, Pen, axes, decimals, metres, px, tick_step};
+use crate::draw::{Panel, Pen, axes, count_decimals, find_tick_step, format_decimal, px};
 use maud::html;
 
 const HEIGHT: f64 = 210.0;
@@ -45,8 +45,8 @@ pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
         );
         under.close();
     }
-    let step = tick_step(total / (width / 110.0));
-    let digits = decimals(step);
+    let step = find_tick_step(total / (width / 110.0));
+    let digits = count_decimals(step);
     let last = if total > 0.0 {
         (total / step + 1e-9) as i64
     } else {
@@ -54,12 +54,15 @@ pub(crate) fn performance(drawing: &Drawing, width: f64) -> Panel {
     };
     let ticks = (0..=last).map(|tick| {
         let distance = tick as f64 * step;
-        (across(distance, total, width), metres(distance, digits))
+        (
+            across(distance, total, width),
+            format_decimal(distance, digits),
+        )
     });
     let body = html! {
         text class="text small quiet" x=("12") y=(px(TOP - 12.0)) { (drawing.achieved()) }
-        (axes::beside(axes::quarters(down), [LEFT, width - RIGHT], 8.0))
-        (axes::below(ticks, BOTTOM, 19.0))
+        (axes::draw_ticks_beside(axes::list_quarters(down), [LEFT, width - RIGHT], 8.0))
+        (axes::draw_ticks_below(ticks, BOTTOM, 19.0))
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(BOTTOM), px(width - RIGHT))) {}
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}

@@ -5,7 +5,8 @@ use super::frames::{Frame, thin_places};
 use super::keys::{Key, entries};
 use super::layers::{Drawing, HEIGHT};
 use crate::draw::{
-    BANDS, Entry, Figure, GAP, Panel, View, WIDTH, inset, legend, metres, percent, px, surface,
+    BANDS, Entry, Figure, GAP, Panel, View, WIDTH, format_decimal, format_percent, inset, legend,
+    px, surface,
 };
 use maud::{Markup, html};
 use wisch::geometry::Vector2;
@@ -102,7 +103,7 @@ pub(crate) fn density_figure(drawing: &Drawing) -> Figure {
 
 /// Draws [`density_figure`] as a file.
 pub(crate) fn density(drawing: &Drawing) -> String {
-    let bandwidth = metres(drawing.bandwidth(), 3);
+    let bandwidth = format_decimal(drawing.bandwidth(), 3);
     Figure {
         what: format!("Density of the particles (kernel bandwidth {bandwidth} m) and the nodes"),
         ..density_figure(drawing)
@@ -166,7 +167,7 @@ pub(crate) fn before_after(drawing: &Drawing) -> String {
         height: bottom,
         body: html! {
             (frame(&first, "before", drawing.before(&first)))
-            (frame(&second, &format!("after: {} {}", percent(performance.ratio()), drawing.achieved()),
+            (frame(&second, &format!("after: {} {}", format_percent(performance.ratio()), drawing.achieved()),
                 drawing.after(&second)))
         },
     };
@@ -258,8 +259,8 @@ fn count_passed(stroke: &wisch::plan::Stroke, frame: &Frame) -> usize {
 pub(crate) fn caption(frame: &Frame) -> String {
     format!(
         "{} m · {}",
-        metres(frame.distance, 2),
-        percent(frame.performance.ratio())
+        format_decimal(frame.distance, 2),
+        format_percent(frame.performance.ratio())
     )
 }
 

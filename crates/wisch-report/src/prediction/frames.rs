@@ -122,7 +122,7 @@ pub(crate) fn thin_places(places: &[Point2], most: usize, action: Action) -> Vec
         return PlaceGrid::new(places, most).kept;
     }
     (0..places.len())
-        .step_by(thinning(places.len(), most))
+        .step_by(find_thinning(places.len(), most))
         .collect()
 }
 
@@ -166,7 +166,7 @@ impl PlaceGrid {
     }
 
     fn of_loose_points(places: &[Point2], most: usize) -> Self {
-        let step = thinning(places.len(), most);
+        let step = find_thinning(places.len(), most);
         let size = Bounds2::from_points(places.iter().copied()).map_or(0.0, |bounds| {
             let size = bounds.size();
             size.x * size.y
@@ -182,8 +182,8 @@ impl PlaceGrid {
 /// Returns the column and row of each point, and the distances of columns and of rows [m]. `None` if the points are not at
 /// equal distances along both axes, or if less than half of them have a neighbour.
 fn find_lattice(places: &[Point2]) -> Option<(Vec<[usize; 2]>, [f64; 2])> {
-    let lines = [0, 1].map(|axis| lines_along(places, axis));
-    let gaps = [equal_gap(&lines[0])?, equal_gap(&lines[1])?];
+    let lines = [0, 1].map(|axis| find_lines_along(places, axis));
+    let gaps = [find_equal_gap(&lines[0])?, find_equal_gap(&lines[1])?];
     // A single row is as high as its columns are wide.
     let least = gaps[0].min(gaps[1]);
     let gaps = gaps.map(|gap| if gap.is_finite() { gap } else { least });
@@ -212,7 +212,7 @@ fn find_lattice(places: &[Point2]) -> Option<(Vec<[usize; 2]>, [f64; 2])> {
 }
 
 /// Returns the distance of neighbouring lines if all distances are multiples of it, infinity for a single line.
-fn equal_gap(lines: &[f64]) -> Option<f64> {
+fn find_equal_gap(lines: &[f64]) -> Option<f64> {
     let gaps = || lines.windows(2).map(|pair| pair[1] - pair[0]);
     let least = gaps().fold(f64::INFINITY, f64::min);
     let count: f64 = gaps().map(|gap| (gap / least).round()).sum();
@@ -226,7 +226,7 @@ fn equal_gap(lines: &[f64]) -> Option<f64> {
 }
 
 /// Returns the distinct coordinates of points along an axis, rising [m].
-fn lines_along(places: &[Point2], axis: usize) -> Vec<f64> {
+fn find_lines_along(places: &[Point2], axis: usize) -> Vec<f64> {
     let mut lines: Vec<f64> = places.iter().map(|place| place[axis]).collect();
     lines.sort_by(f64::total_cmp);
     lines.dedup_by(|next, line| *next - *line < SAME_LINE);
@@ -234,7 +234,7 @@ fn lines_along(places: &[Point2], axis: usize) -> Vec<f64> {
 }
 
 /// Returns the smallest step that selects at most `most` out of `count`.
-fn thinning(count: usize, most: usize) -> usize {
+fn find_thinning(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }
 
@@ -263,8 +263,8 @@ mod tests {
         assert_eq!(thinned.kept.len(), 50 * 30);
         assert!(thinned.cell.iter().all(|side| (side - 0.02).abs() < 1e-9));
         let kept: Vec<Point2> = thinned.kept.iter().map(|&i| places[i]).collect();
-        assert_eq!(lines_along(&kept, 0).len(), 50);
-        assert_eq!(lines_along(&kept, 1).len(), 30);
+        assert_eq!(find_lines_along(&kept, 0).len(), 50);
+        assert_eq!(find_lines_along(&kept, 1).len(), 30);
     }
 
     #[test]

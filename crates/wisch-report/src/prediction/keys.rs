@@ -2,7 +2,7 @@
 
 use super::layers::Drawing;
 use crate::draw::Entry;
-use crate::draw::surface::{achieved, lost, open};
+use crate::draw::surface::{achieved_label, lost_label, open_label};
 use maud::{Markup, html};
 use wisch::plan::{Node, NodeRole};
 use wisch::represent::GoalState;
@@ -40,18 +40,18 @@ impl Key {
             (
                 Self::Left | Self::LeftNow,
                 GoalState::Polished { .. } | GoalState::Dispensed { .. },
-            ) => open(goal),
+            ) => open_label(goal),
             (
                 Self::Done | Self::DoneNow,
                 GoalState::Polished { .. } | GoalState::Dispensed { .. },
-            ) => achieved(goal),
+            ) => achieved_label(goal),
             (Self::Before, GoalState::Polished { .. } | GoalState::Dispensed { .. }) => {
                 "point of the surface"
             }
             (Self::Before, _) => "particle before",
             (Self::Done, GoalState::Skimmed) => "after, pushed over the skim edge",
             (Self::Done, _) => "after, in the goal area",
-            (Self::Lost, _) => lost(goal),
+            (Self::Lost, _) => lost_label(goal),
             (Self::Unreachable, _) => "out of reach",
             (Self::Node, _) => "node",
             (Self::NodeCut, _) => "node without a path to the goal",

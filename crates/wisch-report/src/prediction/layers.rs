@@ -46,8 +46,8 @@ impl<'a> Drawing<'a> {
         };
         Self {
             input,
-            bounds: bounds(input, Some(input.plan.tool_start)),
-            close: bounds(input, None),
+            bounds: find_bounds(input, Some(input.plan.tool_start)),
+            close: find_bounds(input, None),
             obstacles,
             before,
             unreachable,
@@ -64,13 +64,13 @@ impl<'a> Drawing<'a> {
 
     /// Label of a reached goal.
     pub(crate) fn achieved(&self) -> &'static str {
-        surface::achieved(&self.input.plan.graph.goal)
+        surface::achieved_label(&self.input.plan.graph.goal)
     }
 
     /// Draws the surface, its edges, the goal and the obstacles.
     pub(crate) fn ground(&self, view: &View) -> Markup {
         let (surface, goal) = (&self.input.task.surface, &self.input.plan.graph.goal);
-        surface::ground(view, surface, goal)
+        surface::draw_ground(view, surface, goal)
     }
 
     pub(crate) fn obstacles(&self, view: &View) -> Markup {
@@ -283,7 +283,7 @@ impl<'a> Drawing<'a> {
 }
 
 /// Returns bounds that include the surface, the nodes, particles pushed off it, and `tool_start` if it is near [m].
-fn bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
+fn find_bounds(input: &ReportInput, tool_start: Option<Point2>) -> Bounds2 {
     let outline = input.task.surface.outline.outer().iter().copied();
     let surface = surface::extent(&input.task.surface);
     let radius = input.plan.collision_radius;

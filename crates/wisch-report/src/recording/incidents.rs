@@ -2,7 +2,7 @@
 
 use super::samples::round_to;
 use super::words::format_count;
-use crate::draw::{metres, percent};
+use crate::draw::{format_decimal, format_percent};
 use crate::rounds::words::{format_degrees, format_estimate, kind_name};
 use serde::Serialize;
 use wisch::geometry::{Pose, flatten_pose};
@@ -72,9 +72,9 @@ fn describe_events(round: &Round, kind: EventKind) -> Option<Incident> {
     let largest = |of: fn(&Event) -> f64| events.iter().map(|event| of(event)).fold(0.0, f64::max);
     let duration: f64 = events.iter().map(|event| event.end - event.start).sum();
     let height = 1e3 * largest(|event| event.peak_height);
-    let force = metres(largest(|event| event.peak_force), 1);
+    let force = format_decimal(largest(|event| event.peak_force), 1);
     let times: Vec<String> = (events.iter().take(4))
-        .map(|event| format!("{} s", metres(event.start, 1)))
+        .map(|event| format!("{} s", format_decimal(event.start, 1)))
         .collect();
     let more = if events.len() > times.len() {
         ", …"
@@ -83,7 +83,7 @@ fn describe_events(round: &Round, kind: EventKind) -> Option<Incident> {
     };
     let [evidence, effect, advice] = match kind {
         EventKind::ContactLoss => [
-            format!("no force for {} s in total", metres(duration, 1)),
+            format!("no force for {} s in total", format_decimal(duration, 1)),
             "Where contact was lost, no effect is counted.".to_owned(),
             "Compare the pose of the surface and the press force with the real ones.".to_owned(),
         ],
@@ -95,8 +95,8 @@ fn describe_events(round: &Round, kind: EventKind) -> Option<Incident> {
         kind => [
             format!(
                 "{force} N at most, tool up to {} mm from the surface, for {} s in total",
-                metres(height, 0),
-                metres(duration, 1)
+                format_decimal(height, 0),
+                format_decimal(duration, 1)
             ),
             describe_contact(round, &events, duration),
             if kind == EventKind::HandGuiding {
@@ -155,7 +155,7 @@ fn describe_contact(round: &Round, events: &[&Event], duration: f64) -> String {
     }
     format!(
         "The tool was in contact for {} of that time; no effect is counted for the rest.",
-        percent((touching / duration).min(1.0))
+        format_percent((touching / duration).min(1.0))
     )
 }
 
@@ -167,7 +167,7 @@ fn describe_pose(round: &Round) -> Option<Incident> {
     };
     let evidence = found.plane.map_or_else(String::new, |plane| {
         let side = if plane.offset < 0.0 { "below" } else { "above" };
-        let off = metres(1e3 * plane.offset.abs(), 1);
+        let off = format_decimal(1e3 * plane.offset.abs(), 1);
         format!(
             "The contacts lie {off} mm {side} the believed surface and are tilted by {}.",
             format_degrees(plane.tilt)
@@ -228,7 +228,7 @@ fn describe_abandoned(round: &Round) -> Option<Incident> {
         title: format!("The robot abandons {} of the plan", format_count(abandoned.len(), "node")),
         evidence: format!(
             "{cause}; they cost {} of the predicted performance.",
-            percent(round.motion.abandoned_share())
+            format_percent(round.motion.abandoned_share())
         ),
         effect: "The prediction leaves them out.".to_owned(),
         advice: "Place the robot or the surface elsewhere; wisch check states how much the robot reaches."
@@ -266,7 +266,7 @@ fn describe_shortfall(round: &Round, is_explained: bool) -> Option<Incident> {
         title: "Less was wiped than predicted".to_owned(),
         evidence: format!(
             "Predicted {}, estimated {}.",
-            percent(predicted),
+            format_percent(predicted),
             format_estimate(estimate)
         ),
         effect,
@@ -292,7 +292,7 @@ fn describe_ending(round: &Round, ending: &Ending) -> Option<Incident> {
     };
     Some(Incident {
         time: Some(round_to(time, 1e3)),
-        title: format!("{title}, at {} s", metres(time, 1)),
+        title: format!("{title}, at {} s", format_decimal(time, 1)),
         evidence: if cause.is_empty() {
             cause
         } else {

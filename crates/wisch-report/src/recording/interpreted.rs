@@ -1,12 +1,12 @@
 //! The pieces of a finished round: its result, and the simulated world's ground truth.
 
 use super::incidents::{Incident, find_incidents};
-use super::particles::{DensityRecord, find_density, flat_remaining};
+use super::particles::{DensityRecord, find_density, flatten_remaining};
 use super::samples::{round_share, round_to};
 use super::surface::BendRecord;
 use super::treated::TreatedPlaces;
 use super::{RoundTruth, words};
-use crate::scene::seven;
+use crate::scene::to_seven_numbers;
 use serde::Serialize;
 use std::borrow::Cow;
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
@@ -83,18 +83,20 @@ impl Interpreted {
             ending: round.execution.ending.as_str(),
             words: words::describe_round(round, target),
             found: match &found.diagnosis {
-                Diagnosis::Relocalize { world_from_surface } => Some(seven(world_from_surface)),
+                Diagnosis::Relocalize { world_from_surface } => {
+                    Some(to_seven_numbers(world_from_surface))
+                }
                 _ => None,
             },
             events: (found.events.iter().filter(is_shown))
                 .map(EventRecord::new)
                 .collect(),
-            contacts: contacts(found),
+            contacts: list_contacts(found),
             incidents: find_incidents(round),
             particles: match places {
                 Some(_) => Vec::new(),
-                None => flat_remaining(
-                    typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
+                None => flatten_remaining(
+                    find_typical_replay(found, &motion.plan.graph.goal, &motion.task.surface)
                         .unwrap_or(&motion.task.particles),
                 ),
             },
@@ -134,7 +136,7 @@ impl Truth {
             performance: truth.performance.map(round_share),
             particles: match places {
                 Some(_) => None,
-                None => truth.particles.map(flat_remaining),
+                None => truth.particles.map(flatten_remaining),
             },
             remaining: dirt.map(|particles| particles.remaining().count()),
             treated: places
@@ -143,14 +145,14 @@ impl Truth {
             pushes: (truth.pushes.iter())
                 .map(|times| times.map(|time| round_to(time, 1e3)))
                 .collect(),
-            surface: truth.world_from_surface.as_ref().map(seven),
+            surface: truth.world_from_surface.as_ref().map(to_seven_numbers),
             shape: truth.surface_shape.map(BendRecord::new),
         }
     }
 }
 
 /// Returns the belief's replay whose performance is nearest to the mean estimate, as a typical particle distribution.
-fn typical_replay<'a>(
+fn find_typical_replay<'a>(
     found: &'a Interpretation,
     goal: &GoalState,
     surface: &Surface,
@@ -164,7 +166,7 @@ fn typical_replay<'a>(
 }
 
 /// Returns the detected contacts [s], whose number the summary of the round states.
-fn contacts(found: &Interpretation) -> Vec<[f64; 2]> {
+fn list_contacts(found: &Interpretation) -> Vec<[f64; 2]> {
     let contacts = (found.events.iter()).filter(|event| event.kind == EventKind::Contact);
     contacts
         .map(|contact| [contact.start, contact.end].map(|time| round_to(time, 1e3)))

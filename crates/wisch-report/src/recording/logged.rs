@@ -119,7 +119,7 @@ pub(super) fn lanes(occurrences: &[LoggedOccurrence<'_>]) -> (Vec<PhaseRecord>, 
             "Motion" => "motion",
             class => {
                 log.events.push(EventRecord {
-                    kind: in_words(class).into(),
+                    kind: split_words(class).into(),
                     start,
                     end,
                     words: occurrence.name.to_owned(),
@@ -143,7 +143,7 @@ pub(super) fn lanes(occurrences: &[LoggedOccurrence<'_>]) -> (Vec<PhaseRecord>, 
 }
 
 /// Returns the name of a class in words: "HumanCollision" as "human collision".
-fn in_words(class: &str) -> String {
+fn split_words(class: &str) -> String {
     let mut words = String::new();
     for letter in class.chars() {
         if letter.is_uppercase() && !words.is_empty() {

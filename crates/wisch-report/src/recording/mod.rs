@@ -267,7 +267,7 @@ impl<W: Write> RecordingWriter<W> {
                 let piece = Observed {
                     piece: "observed",
                     round,
-                    detections: particles::flat_places(observation.detections.iter().copied()),
+                    detections: particles::flatten_places(observation.detections.iter().copied()),
                     hidden_m2: samples::round_to(observation.hidden.area(), 1e4),
                 };
                 write(&mut self.output, &piece)

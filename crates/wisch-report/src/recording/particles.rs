@@ -1,7 +1,7 @@
 //! Particles over time, each step as its difference from the step before.
 
 use super::samples::round_to;
-use crate::scene::tenth;
+use crate::scene::to_tenth;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use wisch::geometry::Point2;
@@ -41,7 +41,7 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
     let mut steps = Vec::new();
     for (i, moment) in moments.iter().enumerate() {
         let is_last = i + 1 == moments.len();
-        let places = moment.places.iter().map(flat);
+        let places = moment.places.iter().map(to_tenths);
         let mut wanted: BTreeMap<[i64; 2], usize> = BTreeMap::new();
         for place in places.filter(|place| is_shown(*place, one_in)) {
             *wanted.entry(place).or_default() += 1;
@@ -75,17 +75,17 @@ pub(super) fn steps(moments: &[Moment]) -> Vec<ParticleStep> {
 }
 
 /// Returns the positions of particles on the surface, thinned.
-pub(super) fn flat_remaining(particles: &ParticleDistribution) -> Vec<i64> {
-    let remaining = particles.remaining().map(|p| flat(&p));
+pub(super) fn flatten_remaining(particles: &ParticleDistribution) -> Vec<i64> {
+    let remaining = particles.remaining().map(|p| to_tenths(&p));
     let one_in = particles.len().div_ceil(MAX_SHOWN).max(1);
     let shown = remaining.filter(|place| is_shown(*place, one_in));
     shown.flatten().collect()
 }
 
 /// Returns positions, thinned.
-pub(super) fn flat_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
+pub(super) fn flatten_places(places: impl ExactSizeIterator<Item = Point2>) -> Vec<i64> {
     let one_in = places.len().div_ceil(MAX_SHOWN).max(1);
-    let places = places.map(|p| flat(&p));
+    let places = places.map(|p| to_tenths(&p));
     places
         .filter(|place| is_shown(*place, one_in))
         .flatten()
@@ -146,7 +146,12 @@ pub(super) fn find_density(belief: &Belief, goal: &GoalState, surface: &Surface)
         cells = wider;
     };
     let (places, expected): (Vec<[i64; 2]>, Vec<f64>) = (shown.into_iter())
-        .map(|(index, count)| (index.map(|side| tenth((side as f64 + 0.5) * cell)), count))
+        .map(|(index, count)| {
+            (
+                index.map(|side| to_tenth((side as f64 + 0.5) * cell)),
+                count,
+            )
+        })
         .unzip();
     DensityRecord {
         cell,
@@ -171,7 +176,7 @@ fn count_expected(belief: &Belief, cell: f64) -> BTreeMap<[i64; 2], f64> {
 
 /// Returns all points: x, y alternating, in tenths of a millimetre.
 pub(super) fn line<'a>(points: impl IntoIterator<Item = &'a Point2>) -> Vec<i64> {
-    points.into_iter().flat_map(flat).collect()
+    points.into_iter().flat_map(to_tenths).collect()
 }
 
 /// Whether a particle is among the shown ones, of which there is one in `one_in`. The choice depends only on its position, so
@@ -183,6 +188,6 @@ fn is_shown([x, y]: [i64; 2], one_in: usize) -> bool {
     (mixed.wrapping_mul(SPREAD) >> 32).is_multiple_of(one_in as u64)
 }
 
-fn flat(p: &Point2) -> [i64; 2] {
-    [tenth(p.x), tenth(p.y)]
+fn to_tenths(p: &Point2) -> [i64; 2] {
+    [to_tenth(p.x), to_tenth(p.y)]
 }

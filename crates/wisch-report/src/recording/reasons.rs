@@ -1,9 +1,9 @@
 //! Reasons for a plan: the gain of each stroke and of one more stroke, the yaw of the tool, and rated base poses.
 
-use super::particles::{flat_remaining, line};
+use super::particles::{flatten_remaining, line};
 use super::samples::{round_share, round_to};
 use super::treated::TreatedPlaces;
-use crate::draw::metres;
+use crate::draw::format_decimal;
 use serde::Serialize;
 use std::f64::consts::PI;
 use wisch::follow::{Followed, Placement, RatedBasePose};
@@ -125,7 +125,7 @@ fn leave_out_each(task: &Task, wiped: &Plan) -> Vec<LeftOut> {
             lost: find_lost_share(&found.performance),
             particles: match places {
                 Some(_) => Vec::new(),
-                None => flat_remaining(&found.particles),
+                None => flatten_remaining(&found.particles),
             },
             treated: (places.as_ref()).and_then(|places| places.values(&found.particles)),
         }
@@ -200,7 +200,7 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
         });
     // In steps of 5 mm, so that nearly equal strokes have the same sentence.
     let [swept, least, widest] =
-        [swept, least, widest].map(|width| metres(5.0 * (1e3 * width / 5.0).round(), 0));
+        [swept, least, widest].map(|width| format_decimal(5.0 * (1e3 * width / 5.0).round(), 0));
     let lane = if least == widest {
         format!("The tool covers a lane of about {swept} mm")
     } else {
@@ -208,10 +208,10 @@ fn explain_heading(task: &Task, plan: &Plan, stroke: &Stroke) -> String {
             "The tool first covers a lane of about {swept} mm, of {least} to {widest} mm that its footprint allows"
         )
     };
-    match turn_against_plan(task, plan, stroke) {
+    match measure_turn_against_plan(task, plan, stroke) {
         Some(turn) if turn.abs() > TURNED => format!(
             "{lane}. The robot turns the tool by {} degrees against the plan.",
-            metres(turn.to_degrees(), 0)
+            format_decimal(turn.to_degrees(), 0)
         ),
         _ => format!("{lane}."),
     }
@@ -232,7 +232,7 @@ fn measure_sweep(task: &Task, direction: f64) -> f64 {
 
 /// Returns by how much a stroke is turned against the planned one at its first node [rad]. Half a turn of a symmetric
 /// contact area is none.
-fn turn_against_plan(task: &Task, plan: &Plan, stroke: &Stroke) -> Option<f64> {
+fn measure_turn_against_plan(task: &Task, plan: &Plan, stroke: &Stroke) -> Option<f64> {
     let node = *stroke.nodes.first()?;
     let planned = plan.strokes.iter().find_map(|planned| {
         let at = planned.nodes.iter().position(|&other| other == node)?;

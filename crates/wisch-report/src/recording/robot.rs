@@ -1,6 +1,6 @@
 //! The piece of a robot: links, joints and shapes.
 
-use crate::scene::{Meshes, Solid, seven, vector};
+use crate::scene::{Meshes, Solid, to_seven_numbers, vector};
 use serde::Serialize;
 use wisch::robot::{Appearance, Joint, JointKind, Link, LinkId, RobotModel, Shape, Visual};
 
@@ -52,7 +52,7 @@ impl<'a> RobotRecord<'a> {
         appearance: Option<&Appearance>,
         meshes: &mut Meshes,
     ) -> Self {
-        let arm = arm(robot, tip);
+        let arm = find_arm_links(robot, tip);
         let appearance = appearance.filter(|looks| !looks.is_empty());
         let looks = |link: &Link| appearance?.visuals(robot.link(&link.name).ok()?);
         let shown = robot.links().iter().filter_map(looks).flatten();
@@ -69,7 +69,7 @@ impl<'a> RobotRecord<'a> {
             let (shapes, collision) = match looks {
                 Some(visuals) => (
                     (visuals.iter())
-                        .map(|visual| visual_solid(visual, most, meshes))
+                        .map(|visual| build_visual_solid(visual, most, meshes))
                         .collect(),
                     collision(MAX_COLLISION_TRIANGLES, meshes),
                 ),
@@ -94,7 +94,7 @@ impl<'a> RobotRecord<'a> {
     }
 }
 
-fn visual_solid(visual: &Visual, most: usize, meshes: &mut Meshes) -> Solid {
+fn build_visual_solid(visual: &Visual, most: usize, meshes: &mut Meshes) -> Solid {
     let solid = meshes.shape_within(&visual.link_from_shape, &visual.shape, most);
     match visual.color {
         Some(rgba) => solid.with_colour(rgba),
@@ -106,7 +106,7 @@ impl<'a> JointRecord<'a> {
     fn new(joint: &'a Joint) -> Self {
         Self {
             parent: joint.parent.index(),
-            pose: seven(&joint.parent_from_joint),
+            pose: to_seven_numbers(&joint.parent_from_joint),
             axis: vector(&joint.axis),
             kind: match joint.kind {
                 JointKind::Fixed => "fixed",
@@ -121,7 +121,7 @@ impl<'a> JointRecord<'a> {
 
 /// Returns the links of the arm: those from the last fork before the tool to the tool. A fork is a link that also carries
 /// another moving branch; a hand with fingers does not count.
-fn arm(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
+fn find_arm_links(robot: &RobotModel, tool_link: LinkId) -> Vec<usize> {
     let holder = |link: usize| {
         robot.links()[link]
             .parent

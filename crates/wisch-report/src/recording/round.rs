@@ -10,7 +10,7 @@ use super::surface::SurfaceRecord;
 use super::treated::{TreatedPlaces, TreatmentRecord};
 use super::{UnexecutedPlan, words};
 use crate::prediction::frames::EffectFrames;
-use crate::scene::{MeshRecord, Meshes, Solid, seven};
+use crate::scene::{MeshRecord, Meshes, Solid, to_seven_numbers};
 use serde::Serialize;
 use wisch::follow::Followed;
 use wisch::plan::{Plan, Prediction, Strategy};
@@ -91,7 +91,7 @@ impl RoundPiece {
         Shown {
             round: planned.number,
             kind: "executed",
-            root: Some(seven(planned.cell.world_from_root())),
+            root: Some(to_seven_numbers(planned.cell.world_from_root())),
             task: &planned.task,
             plan: &planned.plan,
             wiped: &wiped,
@@ -116,7 +116,7 @@ impl RoundPiece {
         Shown {
             round: 1,
             kind: "planned",
-            root: (planned.followed).map(|(cell, ..)| seven(cell.world_from_root())),
+            root: (planned.followed).map(|(cell, ..)| to_seven_numbers(cell.world_from_root())),
             task: planned.task,
             plan: planned.plan,
             wiped: planned.plan,
@@ -132,14 +132,14 @@ impl RoundPiece {
     pub(super) fn logged(round: &LoggedRound<'_>, meshes: &mut Meshes, written: usize) -> Self {
         let scene = round
             .task
-            .map_or_else(Vec::new, |task| objects(task, meshes));
+            .map_or_else(Vec::new, |task| list_objects(task, meshes));
         let (phases, log) = logged::lanes(&round.occurrences);
         Self {
             piece: "round",
             round: round.number,
             kind: "logged",
             duration: round_to(round.duration, 1e3),
-            root: round.world_from_root.as_ref().map(seven),
+            root: round.world_from_root.as_ref().map(to_seven_numbers),
             surface: SurfaceRecord::new(&round.surface()),
             scene,
             meshes: meshes.since(written),
@@ -199,7 +199,7 @@ impl Shown<'_> {
             frames,
             ..
         } = self;
-        let scene = objects(task, meshes);
+        let scene = list_objects(task, meshes);
         let mut since = 0.0;
         let moments: Vec<(f64, usize)> = (frames.frames().iter().enumerate())
             .map(|(i, frame)| {
@@ -264,7 +264,7 @@ impl Shown<'_> {
 }
 
 /// Returns the scene of a task around robot and tool.
-fn objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
+fn list_objects(task: &Task, meshes: &mut Meshes) -> Vec<ObjectRecord> {
     let objects = task.scene.iter().filter_map(|object| {
         let part = match object.part {
             ScenePart::Obstacle => "obstacle",

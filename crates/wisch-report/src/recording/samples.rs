@@ -158,7 +158,7 @@ pub(super) fn planned(planned: &UnexecutedPlan<'_>) -> Vec<Samples> {
                 let Some(sample) = followed.sample(time) else {
                     continue;
                 };
-                let Some(tool) = world_from_tool(cell, &sample.q) else {
+                let Some(tool) = find_world_from_tool(cell, &sample.q) else {
                     continue;
                 };
                 batch.push(time, &sample.q, &tool, Vector3::zeros(), 0.0);
@@ -184,7 +184,7 @@ pub(super) fn planned(planned: &UnexecutedPlan<'_>) -> Vec<Samples> {
     pieces
 }
 
-fn world_from_tool(cell: &Workcell, q: &[f64]) -> Option<Pose> {
+fn find_world_from_tool(cell: &Workcell, q: &[f64]) -> Option<Pose> {
     let kinematics = cell.robot().forward_kinematics(q).ok()?;
     Some(cell.world_from_root() * kinematics.world_from_link(cell.tip()) * cell.tip_from_tool())
 }

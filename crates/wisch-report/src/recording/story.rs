@@ -2,7 +2,7 @@
 
 use super::treated::Band;
 use super::words;
-use crate::draw::percent;
+use crate::draw::format_percent;
 use crate::rounds::words::format_estimate;
 use serde::Serialize;
 use wisch::recover::{Claim, Verdict, assess_goal, find_excess_passes};
@@ -243,19 +243,19 @@ fn summarise_execution(
         };
         format!(
             " Ground truth in the simulated world: {}, which {reaches} the target.",
-            percent(share)
+            format_percent(share)
         )
     });
     let senses = match found.observation {
         Some(_) => "touch and sight",
         None => "touch only",
     };
-    let mean = percent(found.performance.mean);
+    let mean = format_percent(found.performance.mean);
     let known = if found.is_conclusive() {
         format!(
             "Estimated performance after {count}: {mean}{}; the target is {}.",
             describe_treatment(outcome.task, last).unwrap_or_default(),
-            percent(outcome.target)
+            format_percent(outcome.target)
         )
     } else {
         format!("The log does not show the performance after {count}; {mean} is a guess.")
@@ -360,7 +360,11 @@ fn describe_treatment(task: &Task, last: &Round) -> Option<String> {
         .sum::<Option<f64>>();
     let done = format!(" of the surface points have {}", band.describe_done());
     Some(match above {
-        Some(share) => format!("{done}, {} have {}", percent(share), band.describe_excess()),
+        Some(share) => format!(
+            "{done}, {} have {}",
+            format_percent(share),
+            band.describe_excess()
+        ),
         None => done,
     })
 }
@@ -374,7 +378,7 @@ fn summarise_prediction(outcome: &RunOutcome<'_>, asked: String) -> Story {
         asked,
         happened: format!(
             "Nothing was executed. Predicted performance of the plan: {}.",
-            percent(outcome.predicted)
+            format_percent(outcome.predicted)
         ),
         sure: format!(
             "This is a prediction. It assumes that dirt, tool and surface are as the task states{}.",

@@ -1,7 +1,7 @@
 //! The surface of a round, in its chart.
 
 use super::particles::line;
-use crate::scene::seven;
+use crate::scene::to_seven_numbers;
 use serde::Serialize;
 use wisch::represent::{Surface, SurfaceShape};
 
@@ -72,7 +72,7 @@ impl BendRecord {
 impl SurfaceRecord {
     pub(super) fn new(surface: &Surface) -> Self {
         Self {
-            pose: seven(&surface.world_from_surface),
+            pose: to_seven_numbers(&surface.world_from_surface),
             rings: surface.outline.rings().map(line).collect(),
             shape: (!surface.shape.is_plane()).then(|| BendRecord::new(&surface.shape)),
         }

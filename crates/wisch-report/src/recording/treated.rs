@@ -2,7 +2,7 @@
 
 use super::particles::line;
 use super::samples::round_to;
-use crate::draw::{metres, percent};
+use crate::draw::{format_decimal, format_percent};
 use crate::prediction::frames::{Frame, PlaceGrid};
 use serde::Serialize;
 use wisch::interpret::Belief;
@@ -83,10 +83,10 @@ impl Band {
 
     /// States the target as the performance counts it. `count`: number of places, in words.
     pub(super) fn describe_target(&self, target: f64, count: &str) -> String {
-        let on = format!("on {} of {count} surface points", percent(target));
+        let on = format!("on {} of {count} surface points", format_percent(target));
         if self.unit == "passes" {
             let [least, most] = [self.low, self.high].map(format_passes);
-            let rest = percent(1.0 - target);
+            let rest = format_percent(1.0 - target);
             format!("at least {least} {on}, and more than {most} on at most {rest}")
         } else {
             format!("a coat of {} {on}", self.describe())
@@ -96,7 +96,7 @@ impl Band {
     /// Describes the band, such as "80 to 120 µm".
     pub(super) fn describe(&self) -> String {
         let digits = usize::from(self.unit != "passes" && self.low < 10.0);
-        let [low, high] = [self.low, self.high].map(|value| metres(value, digits));
+        let [low, high] = [self.low, self.high].map(|value| format_decimal(value, digits));
         if low == high {
             format!("{low} {}", self.unit)
         } else {
@@ -115,7 +115,11 @@ impl Band {
     /// Describes what a place has above the band.
     pub(super) fn describe_excess(&self) -> String {
         let digits = usize::from(self.unit != "passes" && self.high < 10.0);
-        format!("more than {} {}", metres(self.high, digits), self.unit)
+        format!(
+            "more than {} {}",
+            format_decimal(self.high, digits),
+            self.unit
+        )
     }
 
     /// Returns the value of a number of passes, in steps.
@@ -126,7 +130,7 @@ impl Band {
 
 fn format_passes(count: f64) -> String {
     let plural = if count == 1.0 { "" } else { "es" };
-    format!("{} pass{plural}", metres(count, 0))
+    format!("{} pass{plural}", format_decimal(count, 0))
 }
 
 impl TreatedPlaces {
@@ -157,7 +161,7 @@ impl TreatedPlaces {
             band: self.band,
             cell: self.grid.cell.map(|side| round_to(side, 1e5)),
             places: line(&kept),
-            steps: steps_between(&moments.collect::<Vec<_>>()),
+            steps: list_steps_between(&moments.collect::<Vec<_>>()),
         }
     }
 
@@ -184,7 +188,7 @@ impl TreatedPlaces {
 }
 
 /// Returns the changes between moments: time [s] and the value of each place. The first step has all values.
-fn steps_between(moments: &[(f64, Vec<i64>)]) -> Vec<ValueStep> {
+fn list_steps_between(moments: &[(f64, Vec<i64>)]) -> Vec<ValueStep> {
     let mut now: Vec<i64> = Vec::new();
     let mut budget = MAX_CHANGES;
     let mut steps = Vec::new();
@@ -245,7 +249,7 @@ mod tests {
             })
             .collect();
         let mut now = vec![-1; 50];
-        let steps = steps_between(&moments);
+        let steps = list_steps_between(&moments);
         assert_eq!(steps.len(), moments.len());
         for ((time, changed, values), (then, expected)) in steps.iter().zip(&moments) {
             for (&place, &value) in changed.iter().zip(values) {
@@ -261,7 +265,7 @@ mod tests {
         let moments: Vec<(f64, Vec<i64>)> = (0..80)
             .map(|k| (f64::from(k), vec![i64::from(k); 6_000]))
             .collect();
-        let steps = steps_between(&moments);
+        let steps = list_steps_between(&moments);
         let changes: usize = steps.iter().map(|(_, changed, _)| changed.len()).sum();
         assert!(changes <= MAX_CHANGES + 6_000, "{changes}");
         assert_eq!(steps.last().map(|step| step.0), Some(79.0));

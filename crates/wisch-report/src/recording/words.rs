@@ -1,7 +1,7 @@
 //! Sentences of the recording: task, plan, checks, results and advice.
 
 use super::treated::Band;
-use crate::draw::{grouped, metres, percent};
+use crate::draw::{format_decimal, format_percent, group_thousands};
 use crate::rounds::words::{count_events, describe_diagnosis, format_estimate};
 use wisch::follow::{Audit, Followed};
 use wisch::interpret::{Doubt, EventKind};
@@ -21,12 +21,12 @@ pub(super) fn describe_task(task: &Task, target: f64) -> String {
         Action::Dispense => format!("Dispense {medium} onto the {surface}"),
     };
     let tool = format_name(&task.tool.name);
-    let count = grouped(task.particles.len());
+    let count = group_thousands(task.particles.len());
     if let Some(band) = Band::new(task) {
         let wanted = band.describe_target(target, &count);
         return format!("{doing} with the {tool}. Target: {wanted}.");
     }
-    let target = percent(target);
+    let target = format_percent(target);
     let wanted = match task.action {
         Action::Absorb => format!("{target} of the {count} particles absorbed"),
         Action::Collect => format!("{target} of the {count} particles in the goal area"),
@@ -48,7 +48,7 @@ pub(super) fn summarise_plan(plan: &Plan) -> String {
         "planned by {}: {}, {} m in contact",
         plan.strategy.as_str(),
         format_count(plan.strokes.len(), "stroke"),
-        metres(plan.contact_distance(), 2)
+        format_decimal(plan.contact_distance(), 2)
     )
 }
 
@@ -60,13 +60,13 @@ pub(super) fn explain_plan(plan: &Plan, wiped: &Plan, followed: Option<&Followed
             "The robot executes the {} of the plan as {}, {} m in contact.",
             format_count(plan.strokes.len(), "stroke"),
             format_count(wiped.strokes.len(), "stroke"),
-            metres(wiped.contact_distance(), 2)
+            format_decimal(wiped.contact_distance(), 2)
         ));
     }
     if plan.unreachable_share > 0.0 {
         sentences.push(format!(
             "{} of the dirt is out of reach: no allowed tool pose covers it.",
-            percent(plan.unreachable_share)
+            format_percent(plan.unreachable_share)
         ));
     }
     if !plan.graph.unreachable.is_empty() {
@@ -105,19 +105,22 @@ fn explain_placement(followed: &Followed) -> Option<String> {
         Some(share) if share >= best => {
             format!(
                 "From the first, {} of the path is in reach, the most of",
-                percent(share)
+                format_percent(share)
             )
         }
         Some(share) => format!(
             "From the first, {} of the path is in reach, and at most {} from",
-            percent(share),
-            percent(best)
+            format_percent(share),
+            format_percent(best)
         ),
-        None => format!("At most {} of the path is in reach from", percent(best)),
+        None => format!(
+            "At most {} of the path is in reach from",
+            format_percent(best)
+        ),
     };
     Some(format!(
         "The robot works from {poses}. {reach} the {} places at which it can stand.",
-        grouped(standing)
+        group_thousands(standing)
     ))
 }
 
@@ -127,7 +130,7 @@ pub(super) fn describe_audit(audit: &Audit) -> String {
         [] => format!(
             "The motion passes all checks; its clearance is at least {} mm.",
             // A lower bound is rounded down.
-            metres((1e4 * audit.min_clearance).floor() / 10.0, 1)
+            format_decimal((1e4 * audit.min_clearance).floor() / 10.0, 1)
         ),
         faults => {
             let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
@@ -250,5 +253,5 @@ pub(super) fn suggest_measures(last: &Round) -> String {
 
 pub(super) fn format_count(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
-    format!("{} {noun}{plural}", grouped(count))
+    format!("{} {noun}{plural}", group_thousands(count))
 }

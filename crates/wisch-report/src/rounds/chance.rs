@@ -2,7 +2,10 @@
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce;
-use crate::draw::{Figure, GAP, Panel, Pen, axes, decimals, metres, percent, px, tick_step};
+use crate::draw::{
+    Figure, GAP, Panel, Pen, axes, count_decimals, find_tick_step, format_decimal, format_percent,
+    px,
+};
 use maud::{Markup, html};
 use wisch::interpret::{PathPiece, Touch};
 use wisch::represent::LogNormal;
@@ -61,7 +64,7 @@ impl Histogram {
 
 /// Draws both plots side by side.
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
-    let [curve, density] = panels(input, round);
+    let [curve, density] = draw_panels(input, round);
     Figure {
         panel: Panel {
             width: 2.0 * WIDTH + GAP,
@@ -77,15 +80,15 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     }
 }
 
-fn histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
+fn build_histogram(input: &RoundsInput, round: &RoundView) -> Histogram {
     let path = reduce::select_usable(&round.interpretation.path);
     Histogram::new(&path, &input.task.interaction.likelihood)
 }
 
-fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
+fn draw_panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
     let likelihood = &input.task.interaction.likelihood;
     let bodies = [
-        draw_probability(likelihood, &histogram(input, round)),
+        draw_probability(likelihood, &build_histogram(input, round)),
         draw_density(likelihood),
     ];
     bodies.map(|body| Panel {
@@ -95,16 +98,16 @@ fn panels(input: &RoundsInput, round: &RoundView) -> [Panel; 2] {
     })
 }
 
-fn across(x: f64, most: f64) -> f64 {
+fn map_across(x: f64, most: f64) -> f64 {
     LEFT + (RIGHT - LEFT) * (x / most).clamp(0.0, 1.0)
 }
 
-fn down(share: f64, bottom: f64, top: f64) -> f64 {
+fn map_down(share: f64, bottom: f64, top: f64) -> f64 {
     bottom - share.clamp(0.0, 1.0) * (bottom - top)
 }
 
 /// Returns the forces at which the curves are evaluated, dense where they bend.
-fn curve_forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
+fn list_curve_forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
     let quantile = |i: usize| {
         let z = Z * (2.0 * i as f64 / POINTS as f64 - 1.0);
         (likelihood.mu + likelihood.sigma * z).exp()
@@ -117,9 +120,9 @@ fn curve_forces(likelihood: &LogNormal, most: f64) -> Vec<f64> {
 /// Draws P(X ≤ f'), with the histogram below.
 fn draw_probability(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
     let mut curve = Pen::default();
-    let places = curve_forces(likelihood, 1.0).into_iter().map(|f| {
+    let places = list_curve_forces(likelihood, 1.0).into_iter().map(|f| {
         let share = likelihood.probability(f);
-        (across(f, 1.0), down(share, CURVE, TOP))
+        (map_across(f, 1.0), map_down(share, CURVE, TOP))
     });
     curve.line(places);
     let most = histogram.shares.iter().copied().fold(0.0, f64::max);
@@ -130,21 +133,21 @@ fn draw_probability(likelihood: &LogNormal, histogram: &Histogram) -> Markup {
             0.0
         };
         let (left, right) = (
-            across(i as f64 / BINS as f64, 1.0),
-            across((i + 1) as f64 / BINS as f64, 1.0),
+            map_across(i as f64 / BINS as f64, 1.0),
+            map_across((i + 1) as f64 / BINS as f64, 1.0),
         );
-        (left, right - left, down(share, BARS, CURVE + 26.0))
+        (left, right - left, map_down(share, BARS, CURVE + 26.0))
     };
     html! {
         text class="text small quiet" x="8" y="14" { "P(X ≤ f'), the probability of an effect" }
-        (axes::beside(axes::quarters(|share| down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
+        (axes::draw_ticks_beside(axes::list_quarters(|share| map_down(share, CURVE, TOP)), [LEFT, RIGHT], 6.0))
         @if (0.0..1.0).contains(&likelihood.mu.exp()) {
-            @let median = across(likelihood.mu.exp(), 1.0);
-            path class="lifted" d=(format!("M{} {}V{}", px(median), px(CURVE), px(down(0.5, CURVE, TOP)))) {}
+            @let median = map_across(likelihood.mu.exp(), 1.0);
+            path class="lifted" d=(format!("M{} {}V{}", px(median), px(CURVE), px(map_down(0.5, CURVE, TOP)))) {}
         }
         path class="curve" d=(curve.path()) {}
         text class="text small quiet" x="8" y=(px(CURVE + 18.0)) {
-            @if most > 0.0 { "share of the contact time (peak: " (percent(most)) ")" } @else { "no contact" }
+            @if most > 0.0 { "share of the contact time (peak: " (format_percent(most)) ")" } @else { "no contact" }
         }
         @for (left, width, top) in (0..BINS).map(bar) {
             @if BARS - top > 0.05 {
@@ -164,15 +167,15 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
         let value = (-0.5 * score * score).exp() / (x * sigma * std::f64::consts::TAU.sqrt());
         if value.is_finite() { value } else { 0.0 }
     };
-    let forces = curve_forces(likelihood, most);
+    let forces = list_curve_forces(likelihood, most);
     let peak = forces.iter().map(|&x| p(x)).fold(0.0, f64::max);
-    let step = tick_step(peak / 4.0);
+    let step = find_tick_step(peak / 4.0);
     let top = if peak > 0.0 { 1.05 * peak } else { 1.0 };
-    let place = |x: f64| (across(x, most), down(p(x) / top, BARS, TOP));
+    let place = |x: f64| (map_across(x, most), map_down(p(x) / top, BARS, TOP));
     let (mut curve, mut under) = (Pen::default(), Pen::default());
     curve.line(forces.iter().map(|&x| place(x)));
     let covered = forces.iter().copied().filter(|&x| x < 1.0).chain([1.0]);
-    let foot = |x: f64| (across(x, most), BARS);
+    let foot = |x: f64| (map_across(x, most), BARS);
     under.line(
         [foot(0.0)]
             .into_iter()
@@ -180,32 +183,38 @@ fn draw_density(likelihood: &LogNormal) -> Markup {
             .chain([foot(1.0)]),
     );
     under.close();
-    let full = across(1.0, most);
+    let full = map_across(1.0, most);
     let ticks = (0..=(top / step) as i64).map(|tick| {
         let value = tick as f64 * step;
-        (down(value / top, BARS, TOP), metres(value, decimals(step)))
+        (
+            map_down(value / top, BARS, TOP),
+            format_decimal(value, count_decimals(step)),
+        )
     });
     html! {
         text class="text small quiet" x="8" y="14" { "p(x), density of the minimum force with an effect" }
-        (axes::beside(ticks, [LEFT, RIGHT], 6.0))
+        (axes::draw_ticks_beside(ticks, [LEFT, RIGHT], 6.0))
         path class="under" d=(under.path()) {}
         path class="curve" d=(curve.path()) {}
         path class="lifted" d=(format!("M{} {}V{}", px(full), px(BARS), px(TOP))) {}
         text class="text small end" x=(px(full - 6.0)) y=(px(TOP + 12.0)) { "full force" }
-        text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (percent(likelihood.probability(1.0))) " below" }
+        text class="text small quiet end" x=(px(full - 6.0)) y=(px(TOP + 26.0)) { (format_percent(likelihood.probability(1.0))) " below" }
         (draw_force_axis(most, BARS, "normalised force x"))
     }
 }
 
 fn draw_force_axis(most: f64, y: f64, label: &str) -> Markup {
-    let step = tick_step(most / 6.0);
+    let step = find_tick_step(most / 6.0);
     let ticks = (0..=(most / step + 1e-9) as i64).map(|tick| {
         let value = tick as f64 * step;
-        (across(value, most), metres(value, decimals(step)))
+        (
+            map_across(value, most),
+            format_decimal(value, count_decimals(step)),
+        )
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
-        (axes::below(ticks, y, 18.0))
+        (axes::draw_ticks_below(ticks, y, 18.0))
         text class="text small quiet end" x=(px(RIGHT)) y=(px(y + 34.0)) { (label) " [1]" }
     }
 }

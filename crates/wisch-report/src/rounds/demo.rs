@@ -78,7 +78,7 @@ impl Demo {
         };
         let plan = plan(&self.task, &config).expect("a plan");
         let predicted = predict(&self.task, &plan, |_| ()).performance.ratio();
-        let way = commanded_path(&plan.tcp_path());
+        let way = build_commanded_path(&plan.tcp_path());
         let last = way.last().map_or(0.0, |(time, _)| *time);
         let pushes = match trouble {
             Trouble::Pushed => vec![[0.30, 0.36], [0.62, 0.65]],
@@ -89,7 +89,7 @@ impl Demo {
             .collect();
         let path: Vec<PathPiece> = (way.iter().enumerate())
             .map(|(i, place)| {
-                piece(
+                build_piece(
                     &self.task,
                     trouble,
                     &pushes,
@@ -109,7 +109,7 @@ impl Demo {
         Played {
             believed: self.task.particles.clone(),
             predicted,
-            interpretation: interpretation(trouble, &path, belief, performance),
+            interpretation: build_interpretation(trouble, &path, belief, performance),
             share: Performance::evaluate(&truth, &self.goal, &self.task.surface).ratio(),
             truth,
             pushes,
@@ -121,7 +121,7 @@ impl Demo {
     pub(crate) fn interpret_logs(mut self) -> Self {
         let config = InterpretConfig::from_task(&self.task);
         for round in &mut self.rounds {
-            let log = samples(&self.task, &round.interpretation.path);
+            let log = sample_pieces(&self.task, &round.interpretation.path);
             let before = Belief::from_particles(round.believed.clone());
             round.interpretation = interpret(&log, &self.task, &before, &self.goal, &config)
                 .expect("the log can be interpreted");
@@ -154,7 +154,7 @@ impl Demo {
 }
 
 /// Returns a log that corresponds to pieces of a path.
-fn samples(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
+fn sample_pieces(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
     let world_from_surface = task.surface.world_from_surface;
     let sample = |piece: &PathPiece| {
         let p = piece.position;
@@ -170,7 +170,7 @@ fn samples(task: &Task, path: &[PathPiece]) -> Vec<TouchSample> {
 }
 
 /// Returns a pseudo-random number between −1 and 1 (SplitMix64).
-fn noise(seed: u64) -> f64 {
+fn draw_noise(seed: u64) -> f64 {
     let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -178,7 +178,7 @@ fn noise(seed: u64) -> f64 {
 }
 
 /// Returns times and commanded positions of the tool, one per piece.
-fn commanded_path(corners: &[TcpWaypoint]) -> Vec<(f64, Point3)> {
+fn build_commanded_path(corners: &[TcpWaypoint]) -> Vec<(f64, Point3)> {
     let place = |w: &TcpWaypoint| {
         let p = w.surface_from_tool.position;
         Point3::new(p.x, p.y, w.height)
@@ -195,7 +195,7 @@ fn commanded_path(corners: &[TcpWaypoint]) -> Vec<(f64, Point3)> {
     way
 }
 
-fn piece(
+fn build_piece(
     task: &Task,
     trouble: Trouble,
     pushes: &[[f64; 2]],
@@ -238,8 +238,8 @@ fn piece(
         }
         (gap, -force.max(0.0), touch)
     };
-    let force = force + 0.02 * press * noise(2 * seed);
-    let height = height + 1.5e-4 * noise(2 * seed + 1);
+    let force = force + 0.02 * press * draw_noise(2 * seed);
+    let height = height + 1.5e-4 * draw_noise(2 * seed + 1);
     PathPiece {
         time: [time, time + PERIOD],
         position: Point3::new(wanted.x, wanted.y, ground + height),
@@ -267,7 +267,7 @@ fn wipe_particles(
             .map(|piece| piece.normalized_force)
             .fold(0.0, f64::max);
         let chance = task.interaction.likelihood.probability(hardest);
-        let threshold = 0.5 * (1.0 + noise(seed * 10_000 + i as u64));
+        let threshold = 0.5 * (1.0 + draw_noise(seed * 10_000 + i as u64));
         let is_absorbed = fate == Fate::Absorbed || threshold < chance;
         (
             p,
@@ -281,7 +281,7 @@ fn wipe_particles(
     ParticleDistribution::with_fates(&wiped.collect::<Vec<_>>()).expect("our own list")
 }
 
-fn interpretation(
+fn build_interpretation(
     trouble: Trouble,
     path: &[PathPiece],
     belief: Belief,
@@ -328,7 +328,7 @@ fn interpretation(
         } else {
             Diagnosis::Localized
         },
-        events: events(path),
+        events: list_events(path),
         force_bias: Some(0.12),
         pressed_force: Some(10.0),
         tool_stiffness: None,
@@ -342,7 +342,7 @@ fn interpretation(
 }
 
 /// Returns intervals of contact, pushes, and contact losses between contacts without a lift.
-fn events(path: &[PathPiece]) -> Vec<Event> {
+fn list_events(path: &[PathPiece]) -> Vec<Event> {
     let kind = |piece: &PathPiece| match piece.touch {
         Touch::Weak | Touch::Confident => Some(EventKind::Contact),
         Touch::FalsePositive => Some(EventKind::Push),

@@ -4,7 +4,8 @@ use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Dot};
 use super::words;
 use crate::draw::{
-    Entry, Figure, Panel, Pen, WIDTH, axes, decimals, legend, metres, px, range, tick_step,
+    Entry, Figure, Panel, Pen, WIDTH, axes, count_decimals, find_range, find_tick_step,
+    format_decimal, legend, px,
 };
 use maud::{Markup, html};
 use wisch::interpret::{Event, EventKind, PathPiece, Touch};
@@ -81,11 +82,11 @@ impl Times {
 
 pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let found = round.interpretation;
-    let path = reduce::drawable(found);
+    let path = reduce::select_drawable(found);
     let times = Times::new(&path);
     let press = input.task.interaction.press_force_n;
-    let forces = force_plot(&path, press);
-    let heights = height_plot(&path, forces.top + HEIGHT + BETWEEN);
+    let forces = build_force_plot(&path, press);
+    let heights = build_height_plot(&path, forces.top + HEIGHT + BETWEEN);
     let bottom = heights.top + HEIGHT;
     let pushes: Vec<_> = (round.pushes.iter())
         .filter_map(|&push| times.place(push))
@@ -93,7 +94,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let (lanes, below) = draw_lanes(&found.events, &pushes, &times, bottom + 12.0);
     // Duration of a unit of the picture: closer pushes look like one.
     let gap = times.duration() / (RIGHT - LEFT);
-    let collisions: Vec<_> = (reduce::spans(&path, Touch::FalsePositive, gap).into_iter())
+    let collisions: Vec<_> = (reduce::find_spans(&path, Touch::FalsePositive, gap).into_iter())
         .filter_map(|span| times.place(span))
         .collect();
     let losses: Vec<_> = (found.events.iter())
@@ -116,7 +117,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         (draw_commanded_force(&forces, press))
         (draw_scale(&forces, 1.0))
         (draw_curves(&path, &times, &forces, |piece| piece.normal_force))
-        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height above " (reference) " [mm]" (cut_note(&path, &heights)) }
+        text class="text small quiet" x=(px(LEFT)) y=(px(heights.top - 8.0)) { "height above " (reference) " [mm]" (draw_cut_note(&path, &heights)) }
         (draw_scale(&heights, MILLIMETRES))
         (draw_curves(&path, &times, &heights, |piece| piece.height))
         (lanes)
@@ -131,13 +132,13 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             height: bottom + below + 54.0,
             body,
         },
-        entries: entries(&path, &losses, &pushes),
+        entries: list_entries(&path, &losses, &pushes),
         what: format!("Normal force, and height above {reference}, over time"),
     }
 }
 
-fn force_plot(path: &[PathPiece], press: f64) -> Plot {
-    let (low, high) = range(path.iter().map(|piece| piece.normal_force));
+fn build_force_plot(path: &[PathPiece], press: f64) -> Plot {
+    let (low, high) = find_range(path.iter().map(|piece| piece.normal_force));
     Plot {
         top: TOP,
         low: low.min(-1.25 * press) - 0.04 * press,
@@ -146,10 +147,10 @@ fn force_plot(path: &[PathPiece], press: f64) -> Plot {
 }
 
 /// Returns the axis of heights around the measured contacts; lifted moves are cut off.
-fn height_plot(path: &[PathPiece], top: f64) -> Plot {
+fn build_height_plot(path: &[PathPiece], top: f64) -> Plot {
     let touched = path.iter().filter(|piece| piece.touch != Touch::Free);
-    let (low, highest_touched) = range(touched.map(|piece| piece.height));
-    let (lowest, highest) = range(path.iter().map(|piece| piece.height));
+    let (low, highest_touched) = find_range(touched.map(|piece| piece.height));
+    let (lowest, highest) = find_range(path.iter().map(|piece| piece.height));
     let high = highest.min(highest_touched + LIFT_SHOWN);
     let low = lowest.max(low.min(0.0) - LIFT_SHOWN).min(0.0);
     let margin = 0.06 * (high - low).max(LEAST_HEIGHT);
@@ -160,7 +161,7 @@ fn height_plot(path: &[PathPiece], top: f64) -> Plot {
     }
 }
 
-fn cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
+fn draw_cut_note(path: &[PathPiece], heights: &Plot) -> Markup {
     let cut = path.iter().any(|piece| piece.height > heights.high);
     html! { @if cut { "; lifted moves extend above the plot" } }
 }
@@ -181,21 +182,21 @@ fn draw_commanded_force(plot: &Plot, press: f64) -> Markup {
         rect class="confident-band" x=(px(LEFT)) y=(px(weak)) width=(px(RIGHT - LEFT)) height=(px(full - weak)) {}
         path class="target" d=(format!("M{} {}H{}", px(LEFT), px(full), px(RIGHT))) {}
         text class="text small quiet end halo" x=(px(RIGHT - 4.0)) y=(px(full + 13.0)) {
-            "f_min = " (metres(-press, decimals(press))) " N"
+            "f_min = " (format_decimal(-press, count_decimals(press))) " N"
         }
     }
 }
 
 /// Draws the value axis of a plot. `unit`: shown units per unit of the values.
 fn draw_scale(plot: &Plot, unit: f64) -> Markup {
-    let step = tick_step(unit * (plot.high - plot.low) / 5.0);
+    let step = find_tick_step(unit * (plot.high - plot.low) / 5.0);
     let ticks = (unit * plot.low / step).ceil() as i64..=(unit * plot.high / step).floor() as i64;
     html! {
         @for tick in ticks {
             @let value = tick as f64 * step;
             @let y = plot.down(value / unit);
             path class=(if tick == 0 { "axis" } else { "rule" }) d=(format!("M{} {}H{}", px(LEFT), px(y), px(RIGHT))) {}
-            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 4.0)) { (metres(value, decimals(step))) }
+            text class="text small quiet end" x=(px(LEFT - 6.0)) y=(px(y + 4.0)) { (format_decimal(value, count_decimals(step))) }
         }
         rect class="axis" x=(px(LEFT)) y=(px(plot.top)) width=(px(RIGHT - LEFT)) height=(px(HEIGHT)) {}
     }
@@ -214,7 +215,7 @@ fn draw_curves(
             touch: piece.touch,
         })
         .collect();
-    let runs = reduce::runs(&reduce::peaks(&dots));
+    let runs = reduce::split_runs(&reduce::find_peaks(&dots));
     let draw = |touch: Touch| {
         let (mut lines, mut alone) = (Pen::default(), Pen::default());
         for run in runs.iter().filter(|run| run.touch == touch) {
@@ -228,14 +229,14 @@ fn draw_curves(
     html! {
         @for touch in [Touch::Free, Touch::Weak, Touch::Confident, Touch::FalsePositive] {
             @for (path, style) in draw(touch) {
-                @if !path.is_empty() { path class=(class(touch)) style=[style] d=(path) {} }
+                @if !path.is_empty() { path class=(find_class(touch)) style=[style] d=(path) {} }
             }
         }
     }
 }
 
 /// Returns the CSS class of a line of a contact class.
-const fn class(touch: Touch) -> &'static str {
+const fn find_class(touch: Touch) -> &'static str {
     match touch {
         Touch::Free => "touch-free",
         Touch::Weak => "touch-weak",
@@ -254,7 +255,7 @@ fn draw_lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) 
             .collect()
     };
     let detected =
-        words::KINDS.map(|kind| (words::kind_name(kind), event_class(kind), spans(kind)));
+        words::KINDS.map(|kind| (words::kind_name(kind), find_event_class(kind), spans(kind)));
     let truth = ("true push", "event-push", pushes.to_vec());
     let lanes: Vec<_> = (detected.into_iter().chain([truth]))
         .filter(|(_, _, spans)| !spans.is_empty())
@@ -272,7 +273,7 @@ fn draw_lanes(events: &[Event], pushes: &[(f64, f64)], times: &Times, top: f64) 
     (body, LANE * lanes.len() as f64)
 }
 
-const fn event_class(kind: EventKind) -> &'static str {
+const fn find_event_class(kind: EventKind) -> &'static str {
     match kind {
         EventKind::Contact => "event-contact",
         EventKind::ContactLoss => "event-loss",
@@ -285,24 +286,27 @@ const fn event_class(kind: EventKind) -> &'static str {
 }
 
 fn draw_time_axis(times: &Times, top: f64) -> Markup {
-    let step = tick_step(times.duration() / 7.0);
+    let step = find_tick_step(times.duration() / 7.0);
     let moments = (times.first / step).ceil() as i64..=(times.last / step).floor() as i64;
     let moments = moments.filter(|_| times.duration() > 0.0);
     let ticks = moments.map(|tick| {
         let time = tick as f64 * step;
-        (times.across(time), metres(time, decimals(step)))
+        (
+            times.across(time),
+            format_decimal(time, count_decimals(step)),
+        )
     });
     html! {
         path class="axis" d=(format!("M{} {}H{}", px(LEFT), px(top), px(RIGHT))) {}
-        (axes::below(ticks, top, 18.0))
+        (axes::draw_ticks_below(ticks, top, 18.0))
         @if times.duration() <= 0.0 {
-            text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (metres(times.first, 3)) }
+            text class="text small quiet middle" x=(px((LEFT + RIGHT) / 2.0)) y=(px(top + 18.0)) { (format_decimal(times.first, 3)) }
         }
         text class="text small quiet end" x=(px(RIGHT)) y=(px(top + 34.0)) { "time [s]" }
     }
 }
 
-fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
+fn list_entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> Vec<Entry> {
     let has = |touch| path.iter().any(|piece| piece.touch == touch);
     let classes = [
         (Touch::Confident, "confident contact"),
@@ -311,7 +315,7 @@ fn entries(path: &[PathPiece], losses: &[(f64, f64)], pushes: &[(f64, f64)]) -> 
     ];
     let mut entries: Vec<Entry> = (classes.into_iter())
         .filter(|(touch, _)| has(*touch))
-        .map(|(touch, label)| legend::line(class(touch), label))
+        .map(|(touch, label)| legend::line(find_class(touch), label))
         .collect();
     entries.push(legend::area(
         "confident-band",

@@ -1,7 +1,7 @@
 //! Predicted, estimated and true performance of all rounds.
 
 use super::input::{RoundView, RoundsInput};
-use crate::draw::{Entry, Figure, Panel, axes, legend, percent, px};
+use crate::draw::{Entry, Figure, Panel, axes, format_percent, legend, px};
 use maud::{Markup, html};
 
 /// Width of the picture; narrower than other pictures, so that its numbers are readable on a phone.
@@ -15,7 +15,7 @@ const HEIGHT: f64 = BOTTOM + 44.0;
 const WIDEST: f64 = 40.0;
 /// Minimum width of a bar with a number above it.
 const NUMBERED: f64 = 22.0;
-fn down(share: f64) -> f64 {
+fn map_down(share: f64) -> f64 {
     BOTTOM - share.clamp(0.0, 1.0) * (BOTTOM - TOP)
 }
 
@@ -27,7 +27,7 @@ struct Bar {
     range: Option<[f64; 2]>,
 }
 
-fn bars_of(round: &RoundView) -> Vec<Bar> {
+fn list_bars(round: &RoundView) -> Vec<Bar> {
     let estimate = round.interpretation.performance;
     let bar = |class, share| Bar {
         class,
@@ -47,14 +47,14 @@ fn bars_of(round: &RoundView) -> Vec<Bar> {
 
 /// Draws up to three bars per round, and the target.
 pub(crate) fn bars(input: &RoundsInput) -> Figure {
-    let groups: Vec<Vec<Bar>> = input.rounds.iter().map(bars_of).collect();
+    let groups: Vec<Vec<Bar>> = input.rounds.iter().map(list_bars).collect();
     let each = (RIGHT - LEFT) / groups.len().max(1) as f64;
     let most = groups.iter().map(Vec::len).max().unwrap_or(1) as f64;
     let width = (0.8 * each / most).min(WIDEST);
     let numbered = width >= NUMBERED;
     // Numbers of rounds must not overlap.
     let every = (24.0 / each).ceil().max(1.0) as usize;
-    let target = down(input.target);
+    let target = map_down(input.target);
     let middle = |i: usize| LEFT + each * (i as f64 + 0.5);
     let placed: Vec<(&Bar, f64)> = (groups.iter().enumerate())
         .flat_map(|(i, group)| {
@@ -65,7 +65,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
         .collect();
     let body = html! {
         text class="text small quiet" x="12" y="14" { "performance" }
-        (axes::beside(axes::quarters(down), [LEFT, RIGHT], 8.0))
+        (axes::draw_ticks_beside(axes::list_quarters(map_down), [LEFT, RIGHT], 8.0))
         @for (bar, left) in &placed { (draw(bar, *left, width)) }
         @for (i, round) in input.rounds.iter().enumerate().step_by(every) {
             text class="text small quiet middle" x=(px(middle(i))) y=(px(BOTTOM + 18.0)) { (round.number) }
@@ -76,7 +76,7 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
             @for (bar, left) in &placed { (draw_number(bar, left + 0.5 * width)) }
         }
         text class="text small" x=(px(RIGHT + 6.0)) y=(px(target + 1.0)) { "target" }
-        text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (percent(input.target)) }
+        text class="text small quiet" x=(px(RIGHT + 6.0)) y=(px(target + 14.0)) { (format_percent(input.target)) }
         text class="text small quiet end" x=(px(RIGHT)) y=(px(BOTTOM + 36.0)) { "round" }
     };
     Figure {
@@ -85,13 +85,13 @@ pub(crate) fn bars(input: &RoundsInput) -> Figure {
             height: HEIGHT,
             body,
         },
-        entries: entries(input),
+        entries: list_entries(input),
         what: "Predicted, estimated and true performance by round".to_owned(),
     }
 }
 
 fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
-    let (top, middle) = (down(bar.share), left + 0.5 * width);
+    let (top, middle) = (map_down(bar.share), left + 0.5 * width);
     let room = (0.08 * width).min(2.0);
     html! {
         rect class=(bar.class) x=(px(left + room)) y=(px(top)) width=(px(width - 2.0 * room)) height=(px(BOTTOM - top)) {}
@@ -99,7 +99,7 @@ fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
             @let arm = (0.2 * width).min(6.0);
             path class="whisker" d=(format!(
                 "M{0} {1}h{2}M{3} {1}V{4}M{0} {4}h{2}",
-                px(middle - arm), px(down(high)), px(2.0 * arm), px(middle), px(down(low))
+                px(middle - arm), px(map_down(high)), px(2.0 * arm), px(middle), px(map_down(low))
             )) {}
         }
     }
@@ -107,13 +107,13 @@ fn draw(bar: &Bar, left: f64, width: f64) -> Markup {
 
 /// Draws the number above a bar and its whisker.
 fn draw_number(bar: &Bar, middle: f64) -> Markup {
-    let top = down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
+    let top = map_down(bar.range.map_or(bar.share, |[_, high]| high.max(bar.share)));
     html! {
         text class="text small middle halo" x=(px(middle)) y=(px(top - 5.0)) { (format!("{:.0}", 100.0 * bar.share)) }
     }
 }
 
-fn entries(input: &RoundsInput) -> Vec<Entry> {
+fn list_entries(input: &RoundsInput) -> Vec<Entry> {
     let was_seen = |round: &RoundView| round.interpretation.observation.is_some();
     let estimated = if input.rounds.iter().any(was_seen) {
         "estimated from touch and sight, with 90 % interval"

@@ -2,7 +2,7 @@
 
 use super::input::{RoundView, RoundsInput};
 use super::reduce::{self, Stretch};
-use crate::draw::{Entry, Figure, Panel, Pen, legend, metres, px, surface, tick_step};
+use crate::draw::{Entry, Figure, Panel, Pen, find_tick_step, format_decimal, legend, px, surface};
 use maud::{Markup, html};
 use wisch::geometry::{Bounds2, Point2, Point3};
 use wisch::interpret::{FittedPlane, Touch};
@@ -97,9 +97,9 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let found = round.interpretation;
     let outline = &input.task.surface.outline;
     let bounds = surface::extent(&input.task.surface);
-    let corners = corners(&bounds);
+    let corners = list_corners(&bounds);
     let plane = (found.plane.as_ref()).and_then(|plane| PlaneBox::new(plane, &corners));
-    let path = reduce::drawable(found);
+    let path = reduce::select_drawable(found);
     let reach = AROUND * bounds.size().norm();
     let near = |p: &Point3| {
         let beyond = (p.xy() - bounds.center()).abs() - 0.5 * bounds.size();
@@ -112,9 +112,9 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
         .chain(plane.iter().flat_map(PlaneBox::corners))
         .chain(travelled)
         .collect();
-    let stretching = height_factor(&shown, bounds.size().norm());
+    let stretching = find_height_factor(&shown, bounds.size().norm());
     let projection = Projection::new(stretching, shown.iter().copied());
-    let stretches = reduce::stretches(&path, STRETCH / projection.scale);
+    let stretches = reduce::split_stretches(&path, STRETCH / projection.scale);
     let base: Vec<Vec<Point3>> = (outline.rings())
         .map(|ring| ring.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect())
         .collect();
@@ -135,7 +135,7 @@ pub(crate) fn figure(input: &RoundsInput, round: &RoundView) -> Figure {
             height,
             body,
         },
-        entries: entries(&stretches, plane.as_ref(), stretching),
+        entries: list_entries(&stretches, plane.as_ref(), stretching),
         what: format!(
             "The tool's path over the surface, coloured by contact force; {}",
             describe_height_scale(stretching)
@@ -153,7 +153,7 @@ fn describe_height_scale(stretching: f64) -> String {
 }
 
 /// Returns the corners of bounds, anticlockwise from the lower left.
-fn corners(bounds: &Bounds2) -> [Point3; 4] {
+fn list_corners(bounds: &Bounds2) -> [Point3; 4] {
     let (low, high) = (bounds.min, bounds.max);
     [
         (low.x, low.y),
@@ -165,7 +165,7 @@ fn corners(bounds: &Bounds2) -> [Point3; 4] {
 }
 
 /// Returns the largest factor with which heights stay within their share of the picture.
-fn height_factor(shown: &[Point3], extent: f64) -> f64 {
+fn find_height_factor(shown: &[Point3], extent: f64) -> f64 {
     let (low, high) = (shown.iter()).fold((0.0, 0.0), |(low, high): (f64, f64), p| {
         (low.min(p.z), high.max(p.z))
     });
@@ -225,7 +225,7 @@ fn draw_path(projection: &Projection, start: Option<Point3>, stretches: &[Stretc
     let mut lines: Vec<(&str, Vec<Point3>)> = Vec::new();
     let mut before = start;
     for stretch in stretches {
-        let class = class(stretch);
+        let class = find_class(stretch);
         match lines.last_mut() {
             Some((of, places)) if *of == class => places.push(stretch.end),
             _ => lines.push((class, before.into_iter().chain([stretch.end]).collect())),
@@ -244,16 +244,16 @@ fn draw_path(projection: &Projection, start: Option<Point3>, stretches: &[Stretc
     }
 }
 
-fn class(stretch: &Stretch) -> &'static str {
+fn find_class(stretch: &Stretch) -> &'static str {
     match stretch.touch {
         Touch::Free => "touch-free",
         Touch::FalsePositive => "touch-false",
-        Touch::Weak | Touch::Confident => LEVELS[level(stretch.normalized_force)],
+        Touch::Weak | Touch::Confident => LEVELS[find_level(stretch.normalized_force)],
     }
 }
 
 /// Returns the index of the fifth of full force.
-fn level(normalized_force: f64) -> usize {
+fn find_level(normalized_force: f64) -> usize {
     ((5.0 * normalized_force).ceil() as usize).clamp(1, 5) - 1
 }
 
@@ -264,8 +264,8 @@ fn draw_axis_lengths(projection: &Projection, height: f64, shown: &[Point3]) -> 
     let origin = (MARGIN + 4.0, height - 34.0);
     let high = shown.iter().fold(0.0, |high: f64, p| high.max(p.z.abs()));
     let upright = projection.scale * projection.stretching * ELEVATION.cos();
-    let flat = tick_step(0.5 * LONG / projection.scale);
-    let up = tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
+    let flat = find_tick_step(0.5 * LONG / projection.scale);
+    let up = find_tick_step((0.3 * high).clamp(12.0 / upright, LONG / upright) / 2.0);
     let end = |p: Point3| {
         let (x, y) = Projection::flat(projection.stretching, p);
         let scale = projection.scale;
@@ -280,17 +280,21 @@ fn draw_axis_lengths(projection: &Projection, height: f64, shown: &[Point3]) -> 
     for tip in [x, y, z] {
         lines.line([origin, tip]);
     }
-    let centimetres = metres(100.0 * flat, usize::from(flat < 0.0095));
+    let centimetres = format_decimal(100.0 * flat, usize::from(flat < 0.0095));
     html! {
         path class="axis" d=(lines.path()) {}
         text class="text small" x=(px(x.0 + 4.0)) y=(px(x.1 + 8.0)) { "x, " (centimetres) " cm" }
         text class="text small" x=(px(y.0 + 4.0)) y=(px(y.1 + 9.0)) { "y, " (centimetres) " cm" }
-        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (metres(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
+        text class="text small" x=(px(z.0 - 4.0)) y=(px(z.1.min(y.1) - 6.0)) { "z, " (format_decimal(1e3 * up, usize::from(up < 0.9e-3))) " mm" }
     }
 }
 
-fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> Vec<Entry> {
-    let has = |wanted: &str| stretches.iter().any(|stretch| class(stretch) == wanted);
+fn list_entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> Vec<Entry> {
+    let has = |wanted: &str| {
+        stretches
+            .iter()
+            .any(|stretch| find_class(stretch) == wanted)
+    };
     let mut entries = Vec::new();
     for (i, level) in LEVELS.iter().enumerate().filter(|(_, level)| has(level)) {
         let label = format!(
@@ -310,7 +314,7 @@ fn entries(stretches: &[Stretch], plane: Option<&PlaneBox>, stretching: f64) -> 
         ));
     }
     if let Some(plane) = plane {
-        let half = metres(1e3 * plane.half, 1);
+        let half = format_decimal(1e3 * plane.half, 1);
         entries.push(legend::area(
             "fitted-plane",
             format!("fitted plane, ± {half} mm"),

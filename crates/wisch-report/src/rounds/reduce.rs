@@ -41,10 +41,10 @@ pub(crate) struct Stretch {
 
 /// Returns the lowest and the highest point of each contact class in every column of the picture, in order of time. Columns
 /// are one unit wide, or wider if there are too many.
-pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
+pub(crate) fn find_peaks(curve: &[Dot]) -> Vec<Dot> {
     let mut width = 1.0;
     loop {
-        let kept = peaks_by(curve, width);
+        let kept = find_peaks_by(curve, width);
         if kept.len() <= MAX_POINTS {
             return kept;
         }
@@ -52,7 +52,7 @@ pub(crate) fn peaks(curve: &[Dot]) -> Vec<Dot> {
     }
 }
 
-fn peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
+fn find_peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
     let column = |dot: &Dot| (dot.x / width).floor();
     let mut kept = Vec::new();
     for group in curve.chunk_by(|a, b| column(a) == column(b)) {
@@ -71,7 +71,7 @@ fn peaks_by(curve: &[Dot], width: f64) -> Vec<Dot> {
 }
 
 /// Splits a curve into runs of one contact class; a run begins at the end of the run before.
-pub(crate) fn runs(curve: &[Dot]) -> Vec<Run> {
+pub(crate) fn split_runs(curve: &[Dot]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut before: Option<(f64, f64)> = None;
     for dot in curve {
@@ -89,7 +89,7 @@ pub(crate) fn runs(curve: &[Dot]) -> Vec<Run> {
 }
 
 /// Returns start and end [s] of consecutive pieces of a contact class. Runs that are closer than `gap` [s] are merged.
-pub(crate) fn spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]> {
+pub(crate) fn find_spans(path: &[PathPiece], touch: Touch, gap: f64) -> Vec<[f64; 2]> {
     let mut spans: Vec<[f64; 2]> = Vec::new();
     for piece in path.iter().filter(|piece| piece.touch == touch) {
         match spans.last_mut() {
@@ -125,10 +125,10 @@ pub(crate) fn select_usable(path: &[PathPiece]) -> Vec<PathPiece> {
 }
 
 /// Splits the path into stretches of about `length` [m], or longer if there are too many.
-pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
+pub(crate) fn split_stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut length = length;
     loop {
-        let stretches = stretches_by(path, length);
+        let stretches = split_stretches_by(path, length);
         if stretches.len() <= MAX_STRETCHES || !length.is_finite() {
             return stretches;
         }
@@ -136,7 +136,7 @@ pub(crate) fn stretches(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     }
 }
 
-fn stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
+fn split_stretches_by(path: &[PathPiece], length: f64) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     let mut from = 0;
     for (i, piece) in path.iter().enumerate() {
@@ -190,7 +190,7 @@ impl Stretch {
 
 /// Returns the path to draw. Force away from the plane counts as a false positive only during a collision, because force and
 /// height also disagree briefly at landing.
-pub(crate) fn drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
+pub(crate) fn select_drawable(interpretation: &Interpretation) -> Vec<PathPiece> {
     let mut path = select_usable(&interpretation.path);
     let spans: Vec<[f64; 2]> = (interpretation.events.iter())
         .filter(|event| event.kind.is_by_hand())

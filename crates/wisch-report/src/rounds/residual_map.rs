@@ -3,11 +3,12 @@
 
 use super::input::{RoundView, RoundsInput};
 use crate::draw::{
-    BANDS, Entry, Figure, GAP, Panel, Pen, View, inset, legend, metres, percent, px, shorten,
+    BANDS, Entry, Figure, GAP, Panel, Pen, View, find_tick_step, format_decimal, format_percent,
+    inset, legend, px, shorten,
     surface::{
-        self, Outcome, achieved, dot_radius, extent, ground, lost, obstacle_rings, open, outcome,
+        self, Outcome, achieved_label, dot_radius, draw_ground, extent, lost_label, obstacle_rings,
+        open_label, outcome,
     },
-    tick_step,
 };
 use crate::prediction::frames::thin_places;
 use maud::{Markup, html};
@@ -123,10 +124,10 @@ impl Cells {
 
     /// Draws filled cells in bands of an eighth of the peak, clipped to the surface. `id`: unique on the page.
     fn draw(&self, view: &View, surface: &Surface, id: &str, values: &[f64]) -> Markup {
-        let peak = peak(values);
+        let peak = find_peak(values);
         let mut bands: [Pen; BANDS] = Default::default();
         for (cell, value) in values.iter().enumerate() {
-            let Some(band) = band(*value, peak) else {
+            let Some(band) = find_band(*value, peak) else {
                 continue;
             };
             let corner = Vector2::new((cell % self.columns) as f64, (cell / self.columns) as f64);
@@ -155,21 +156,21 @@ pub(crate) fn cell_side(bounds: &Bounds2, particles: usize) -> f64 {
     let size = bounds.size();
     let cell = (size.x * size.y / particles.max(1) as f64).sqrt();
     let longest = size.max();
-    tick_step(cell.clamp(longest / MOST_CELLS, longest))
+    find_tick_step(cell.clamp(longest / MOST_CELLS, longest))
 }
 
-fn peak(values: &[f64]) -> f64 {
+fn find_peak(values: &[f64]) -> f64 {
     values.iter().copied().fold(0.0, f64::max)
 }
 
 /// Returns the band of a value, an eighth of the peak each; `None` for 0.
-fn band(value: f64, peak: f64) -> Option<usize> {
+fn find_band(value: f64, peak: f64) -> Option<usize> {
     let some = value > 0.0 && peak > 0.0;
     some.then(|| ((value / peak * BANDS as f64).ceil() as usize).clamp(1, BANDS) - 1)
 }
 
 /// Returns the bounds of the surface and of particles that fell off it.
-fn drawn_bounds(surface: &Surface) -> Bounds2 {
+fn find_drawn_bounds(surface: &Surface) -> Bounds2 {
     let mut bounds = extent(surface);
     let margin = Vector2::repeat(0.06 * bounds.size().max());
     bounds.min -= margin;
@@ -179,11 +180,11 @@ fn drawn_bounds(surface: &Surface) -> Bounds2 {
 
 pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.members(), input.goal, &input.task.surface);
-    let views = views(input, round, &cells);
+    let views = draw_views(input, round, &cells);
     let panels = views.into_iter().map(|(panel, _)| panel).collect();
     Figure {
         panel: place_in_row(panels),
-        entries: particle_entries(input, round),
+        entries: list_particle_entries(input, round),
         what: "Believed dirt before the round, and estimated and true dirt after it".to_owned(),
     }
 }
@@ -191,11 +192,11 @@ pub(crate) fn particles_figure(input: &RoundsInput, round: &RoundView) -> Figure
 pub(crate) fn density_figure(input: &RoundsInput, round: &RoundView) -> Figure {
     let cells = Cells::new(round.members(), input.goal, &input.task.surface);
     Figure {
-        panel: place_in_row(maps(input, round, &cells).into()),
+        panel: place_in_row(draw_density_maps(input, round, &cells).into()),
         entries: Vec::new(),
         what: match round.members().len() {
-            1 => format!("{}, in the only replay", map_title(input.goal)),
-            many => format!("{}, over {many} members", map_title(input.goal)),
+            1 => format!("{}, in the only replay", choose_map_title(input.goal)),
+            many => format!("{}, over {many} members", choose_map_title(input.goal)),
         },
     }
 }
@@ -220,7 +221,7 @@ pub(crate) fn contacts_figure(input: &RoundsInput, round: &RoundView) -> Option<
 }
 
 /// Returns the title of the maps.
-fn map_title(goal: &GoalState) -> &'static str {
+fn choose_map_title(goal: &GoalState) -> &'static str {
     if goal.action().treats() {
         "Passes"
     } else {
@@ -253,18 +254,18 @@ fn place_in_row(panels: Vec<Panel>) -> Panel {
 }
 
 /// Returns the views with their descriptions: believed, estimated and true dirt.
-fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
-    let view = view(input, VIEW);
+fn draw_views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, String)> {
+    let view = fit_view(input, VIEW);
     let typical = round.typical_replay(input);
     let performance = round.interpretation.performance;
     let planned = html! {
-        (particles(input, &view, round.believed))
+        (draw_particles(input, &view, round.believed))
         (draw_strokes(round, &view))
     };
     let id = format!("round-{}-estimated", round.number);
     let estimated = html! {
         g class="under-particles" { (cells.draw(&view, &input.task.surface, &id, &cells.mean)) }
-        (particles(input, &view, typical))
+        (draw_particles(input, &view, typical))
     };
     let mut views = vec![
         draw_view(
@@ -279,25 +280,25 @@ fn views(input: &RoundsInput, round: &RoundView, cells: &Cells) -> Vec<(Panel, S
         draw_view(
             input,
             &view,
-            &format!("estimated: {}", percent(performance.mean)),
+            &format!("estimated: {}", format_percent(performance.mean)),
             estimated,
         ),
     ];
     if let Some((truth, share)) = round.truth {
-        let name = format!("true: {}", percent(share));
+        let name = format!("true: {}", format_percent(share));
         views.push(draw_view(
             input,
             &view,
             &name,
-            particles(input, &view, truth),
+            draw_particles(input, &view, truth),
         ));
     }
     views
 }
 
-fn view(input: &RoundsInput, width: f64) -> View {
+fn fit_view(input: &RoundsInput, width: f64) -> View {
     let size = Vector2::new(width, TALLEST * width);
-    View::fit(drawn_bounds(&input.task.surface), 0.0, NAME, size)
+    View::fit(find_drawn_bounds(&input.task.surface), 0.0, NAME, size)
 }
 
 /// Draws a view with its name, the surface, `layers`, obstacles and a frame.
@@ -305,7 +306,7 @@ fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (P
     let radius = input.task.tool.collision_radius();
     let obstacles = obstacle_rings(input.task, radius);
     let inner = html! {
-        (ground(view, &input.task.surface, input.goal))
+        (draw_ground(view, &input.task.surface, input.goal))
         (layers)
         path class="outline" d=(view.rings(input.task.surface.outline.rings())) {}
         @if !obstacles.is_empty() {
@@ -324,7 +325,7 @@ fn draw_view(input: &RoundsInput, view: &View, name: &str, layers: Markup) -> (P
     (panel, format!("Particles {name}"))
 }
 
-fn particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
+fn draw_particles(input: &RoundsInput, view: &View, particles: &ParticleDistribution) -> Markup {
     let places: Vec<Point2> = particles.iter().map(|(place, _)| place).collect();
     let drawn: Vec<(Point2, Outcome)> = (thin_places(&places, MAX_DRAWN, input.task.action).iter())
         .map(|&i| {
@@ -357,7 +358,7 @@ fn draw_strokes(round: &RoundView, view: &View) -> Markup {
     html! { path class="trail" d=(lines) {} }
 }
 
-fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
+fn list_particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     let distributions = [round.believed, round.typical_replay(input)]
         .into_iter()
         .chain(round.truth.map(|(particles, _)| particles));
@@ -368,14 +369,14 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
     let has = |outcome| outcomes.contains(&outcome);
     let mut entries = Vec::new();
     if has(Outcome::Left) {
-        entries.push(legend::dot("dots-left", open(input.goal)));
+        entries.push(legend::dot("dots-left", open_label(input.goal)));
     }
     if has(Outcome::Done) {
-        entries.push(legend::dot("dots-done", achieved(input.goal)));
+        entries.push(legend::dot("dots-done", achieved_label(input.goal)));
     }
     if has(Outcome::Lost) {
         entries.push(Entry {
-            label: lost(input.goal).to_owned(),
+            label: lost_label(input.goal).to_owned(),
             sample: html! { path class="mark-lost" d="M8.5-3.5l7 7m0-7l-7 7" {} },
         });
     }
@@ -392,10 +393,10 @@ fn particle_entries(input: &RoundsInput, round: &RoundView) -> Vec<Entry> {
 }
 
 /// Draws maps of mean and standard deviation by cell.
-fn maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
+fn draw_density_maps(input: &RoundsInput, round: &RoundView, cells: &Cells) -> [Panel; 2] {
     let unit = format!(
         "per cell of {} cm",
-        metres(100.0 * cells.side, usize::from(cells.side < 0.01))
+        format_decimal(100.0 * cells.side, usize::from(cells.side < 0.01))
     );
     let mean = if input.goal.action().treats() {
         "mean number of passes"
@@ -417,7 +418,7 @@ fn draw_maps(
     named: [(&str, &str); 2],
     unit: &str,
 ) -> [Panel; 2] {
-    let view = view(input, MAP);
+    let view = fit_view(input, MAP);
     let [first, second] = named;
     [(first, &cells.mean), (second, &cells.deviation)].map(|((stem, name), values)| {
         let id = format!("round-{}-{stem}", round.number);
@@ -434,14 +435,14 @@ fn draw_maps(
 /// Draws the colour scale of a map.
 fn draw_colour_scale(top: f64, values: &[f64], unit: &str) -> Markup {
     const CELL: f64 = 24.0;
-    let peak = peak(values);
+    let peak = find_peak(values);
     html! {
         @if peak > 0.0 {
             @for band in 1..=BANDS {
                 rect class=(format!("band-{band}")) x=(px(CELL * (band - 1) as f64)) y=(px(top)) width=(px(CELL)) height="12" {}
             }
             @for (share, class) in [(0.0, "text small quiet"), (0.5, "text small quiet middle"), (1.0, "text small quiet end")] {
-                text class=(class) x=(px(share * CELL * BANDS as f64)) y=(px(top + 25.0)) { (metres(share * peak, 2)) }
+                text class=(class) x=(px(share * CELL * BANDS as f64)) y=(px(top + 25.0)) { (format_decimal(share * peak, 2)) }
             }
             text class="text small quiet" x=(px(CELL * BANDS as f64 + 12.0)) y=(px(top + 10.0)) { (unit) }
         } @else {

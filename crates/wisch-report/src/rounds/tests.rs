@@ -85,7 +85,7 @@ fn a_peak_of_one_sample_in_minutes_is_kept() {
         .collect();
     curve[77_777].y = 3.0;
     curve[5] = dot(curve[5].x, 90.0, Touch::FalsePositive);
-    let kept = reduce::peaks(&curve);
+    let kept = reduce::find_peaks(&curve);
     assert!(kept.len() < 2_600, "{}", kept.len());
     assert!(kept.contains(&curve[77_777]) && kept.contains(&curve[5]));
     assert!(kept.is_sorted_by(|a, b| a.x <= b.x), "in their order");
@@ -101,7 +101,7 @@ proptest! {
             .map(|(x, y, touch)| dot(x, y, touches[touch]))
             .collect();
         curve.sort_by(|a, b| a.x.total_cmp(&b.x));
-        let kept = reduce::peaks(&curve);
+        let kept = reduce::find_peaks(&curve);
         prop_assert!(kept.iter().all(|dot| curve.contains(dot)));
         for touch in touches {
             let range = |dots: &[Dot]| {
@@ -130,7 +130,7 @@ fn a_flickering_contact_class_stays_drawable() {
             )
         })
         .collect();
-    assert!(reduce::stretches(&path, 1e-5).len() <= 5_000);
+    assert!(reduce::split_stretches(&path, 1e-5).len() <= 5_000);
     let (_, pictures) = draw("flicker", &one_round(&path), |_, _| ());
     assert_eq!(pictures.len(), 6);
 }
@@ -143,7 +143,7 @@ fn runs_are_contiguous_and_lose_no_point() {
         dot(2.0, 3.0, Touch::Weak),
         dot(3.0, 4.0, Touch::Free),
     ];
-    let runs = reduce::runs(&curve);
+    let runs = reduce::split_runs(&curve);
     let points: Vec<&[(f64, f64)]> = runs.iter().map(|run| run.points.as_slice()).collect();
     assert_eq!(
         points,
@@ -161,9 +161,9 @@ fn spans_are_merged_over_small_gaps_only() {
         .into_iter()
         .map(|time| piece(time, 0.0, Touch::FalsePositive))
         .collect();
-    let spans = reduce::spans(&path, Touch::FalsePositive, 0.01);
+    let spans = reduce::find_spans(&path, Touch::FalsePositive, 0.01);
     assert_eq!(spans, [[0.0, 0.003], [0.5, 0.502]]);
-    assert_eq!(reduce::spans(&path, Touch::Weak, 0.01), [[0.0; 2]; 0]);
+    assert_eq!(reduce::find_spans(&path, Touch::Weak, 0.01), [[0.0; 2]; 0]);
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn a_short_push_is_visible_on_the_path() {
         .map(|i| piece(f64::from(i) * 0.05, 0.0, Touch::Confident))
         .collect();
     path[500].touch = Touch::FalsePositive;
-    let stretches = reduce::stretches(&path, 0.01);
+    let stretches = reduce::split_stretches(&path, 0.01);
     let pushed = |stretch: &&reduce::Stretch| stretch.touch == Touch::FalsePositive;
     assert_eq!(stretches.iter().filter(pushed).count(), 1);
     assert_eq!(

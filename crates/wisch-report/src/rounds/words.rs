@@ -1,6 +1,6 @@
 //! Names and sentences about rounds and their events.
 
-use crate::draw::{metres, percent};
+use crate::draw::{format_decimal, format_percent};
 use wisch::interpret::{Diagnosis, Estimate, Event, EventKind, Interpretation};
 
 /// All kinds of events but phases, in the order in which they are shown.
@@ -35,11 +35,11 @@ pub(crate) const fn kind_name(kind: EventKind) -> &'static str {
 /// Formats a mean with its 90 % interval.
 pub(crate) fn format_estimate(estimate: Estimate) -> String {
     if estimate.low == estimate.high {
-        return percent(estimate.mean);
+        return format_percent(estimate.mean);
     }
     format!(
         "{} (90 % interval {:.1} to {:.1} %)",
-        percent(estimate.mean),
+        format_percent(estimate.mean),
         100.0 * estimate.low,
         100.0 * estimate.high
     )
@@ -51,7 +51,7 @@ pub(crate) fn describe_diagnosis(found: &Interpretation) -> String {
         format!(
             ": the fitted surface is tilted by {} and {} mm {} it",
             format_degrees(plane.tilt),
-            metres(1e3 * plane.offset.abs(), 1),
+            format_decimal(1e3 * plane.offset.abs(), 1),
             if plane.offset < 0.0 { "below" } else { "above" }
         )
     });
@@ -70,7 +70,7 @@ pub(crate) fn describe_diagnosis(found: &Interpretation) -> String {
 }
 
 pub(crate) fn format_degrees(angle: f64) -> String {
-    format!("{}°", metres(angle.to_degrees(), 2))
+    format!("{}°", format_decimal(angle.to_degrees(), 2))
 }
 
 pub(crate) fn count(events: &[Event], kind: EventKind) -> usize {
@@ -101,9 +101,9 @@ pub(crate) fn describe_evidence(event: &Event) -> String {
     };
     format!(
         "for {} s; the tool {does} with {} N on average, {} N at most, up to {} mm from the fitted surface",
-        metres(event.end - event.start, 1),
-        metres(event.mean_normal_force.abs(), 1),
-        metres(event.peak_force, 1),
-        metres(1e3 * event.peak_height, 1)
+        format_decimal(event.end - event.start, 1),
+        format_decimal(event.mean_normal_force.abs(), 1),
+        format_decimal(event.peak_force, 1),
+        format_decimal(1e3 * event.peak_height, 1)
     )
 }

@@ -28,7 +28,7 @@ pub(crate) fn resample(mesh: &Mesh, most: usize) -> Thinned {
     if thinned.triangles.len() <= most.max(12) {
         return thinned;
     }
-    let planes = vertex_planes(mesh);
+    let planes = collect_vertex_planes(mesh);
     let mut cells = FINEST;
     while thinned.triangles.len() > most.max(12) && cells >= 1.0 {
         thinned = cluster_vertices(mesh, &planes, mesh.extent() / cells);
@@ -64,7 +64,7 @@ impl Planes {
 }
 
 /// Returns the planes of the triangles at each vertex.
-fn vertex_planes(mesh: &Mesh) -> Vec<Planes> {
+fn collect_vertex_planes(mesh: &Mesh) -> Vec<Planes> {
     let mut planes = vec![Planes::default(); mesh.vertices().len()];
     for (corners, [a, b, c]) in mesh.triangles().iter().zip(mesh.corners()) {
         let across = (b - a).cross(&(c - a));

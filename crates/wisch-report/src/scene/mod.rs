@@ -102,7 +102,7 @@ impl Meshes {
             triangles,
         } = resample(mesh, most);
         let record = MeshRecord {
-            vertices: tenths(vertices),
+            vertices: list_tenths(vertices),
             triangles: triangles.into_flattened(),
         };
         let known = self.records.iter().position(|other| *other == record);
@@ -122,7 +122,7 @@ impl Solid {
 
     fn new(pose: &Pose, form: Form) -> Self {
         Self {
-            pose: seven(pose),
+            pose: to_seven_numbers(pose),
             form,
             color: None,
         }
@@ -136,7 +136,7 @@ impl Solid {
 }
 
 /// Returns a pose as seven rounded numbers.
-pub(crate) fn seven(pose: &Pose) -> [f64; 7] {
+pub(crate) fn to_seven_numbers(pose: &Pose) -> [f64; 7] {
     flatten_pose(pose).map(round)
 }
 
@@ -152,13 +152,13 @@ fn round(value: f64) -> f64 {
 }
 
 /// Returns the coordinates of points, concatenated.
-pub(crate) fn tenths(points: impl IntoIterator<Item = Point3>) -> Vec<i64> {
+pub(crate) fn list_tenths(points: impl IntoIterator<Item = Point3>) -> Vec<i64> {
     (points.into_iter())
-        .flat_map(|p| [p.x, p.y, p.z].map(tenth))
+        .flat_map(|p| [p.x, p.y, p.z].map(to_tenth))
         .collect()
 }
 
 /// Converts a length [m] to tenths of a millimetre.
-pub(crate) fn tenth(length: f64) -> i64 {
+pub(crate) fn to_tenth(length: f64) -> i64 {
     (length * PER_METRE).round() as i64
 }

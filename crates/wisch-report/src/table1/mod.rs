@@ -80,7 +80,7 @@ pub fn table1_page(input: &Table1Input) -> String {
         }
         h2 { "Figures" }
         p { "Each cell shows the figure of wisch, with the paper's figure below it." }
-        @for action in &input.actions { (figures(input, action)) }
+        @for action in &input.actions { (build_figure_table(input, action)) }
         @for note in &input.notes { p class="note" { (note) } }
         @if input.actions.iter().any(|action| action.surfaces.iter().any(has_pictures)) {
             h2 { "Surfaces, as in Fig. 7" }
@@ -89,7 +89,7 @@ pub fn table1_page(input: &Table1Input) -> String {
             @for action in &input.actions {
                 @for surface in action.surfaces.iter().filter(|surface| has_pictures(surface)) {
                     h3 { (action.action) " · " (surface.surface) }
-                    (pictures(surface))
+                    (draw_pictures(surface))
                 }
             }
         }
@@ -110,7 +110,7 @@ fn has_pictures(surface: &SurfaceColumns) -> bool {
 }
 
 /// Returns the table of an action, with a row per quantity and a column per surface and strategy.
-fn figures(input: &Table1Input, action: &ActionRows) -> Markup {
+fn build_figure_table(input: &Table1Input, action: &ActionRows) -> Markup {
     let surfaces = || action.surfaces.iter();
     html! {
         div class="scroll" {
@@ -157,7 +157,7 @@ fn draw_figure(figure: &ComparedFigure) -> Markup {
 }
 
 /// Draws the surface before, and after each strategy.
-fn pictures(surface: &SurfaceColumns) -> Markup {
+fn draw_pictures(surface: &SurfaceColumns) -> Markup {
     let pictured: Vec<_> = (surface.columns.iter())
         .filter_map(|column| Some((column, column.picture.as_ref()?)))
         .collect();

@@ -83,7 +83,7 @@ impl WipedSurface<'_> {
         let view = View::fit(shown, 0.0, 0.0, SIZE.into());
         let obstacles = surface::obstacle_rings(self.task, self.collision_radius);
         let body = html! {
-            (surface::ground(&view, &self.task.surface, &self.goal))
+            (surface::draw_ground(&view, &self.task.surface, &self.goal))
             (marks(&view))
             @if !obstacles.is_empty() {
                 path class="obstacle" d=(view.rings(obstacles.iter().map(Vec::as_slice))) {}

@@ -73,9 +73,8 @@ fn a_log_without_any_usable_wrench_is_refused() {
     bag.finish().unwrap();
     let error = read(&path, &LogOptions::default()).unwrap_err().to_string();
     assert!(
-        error.contains(
-            "the wrenches of all 30 samples are stale, saturated, untared or with a frozen pose"
-        ),
+        error
+            .contains("all 30 samples have a stale, saturated or untared wrench, or a frozen pose"),
         "{error}"
     );
 }

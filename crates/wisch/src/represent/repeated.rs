@@ -1,17 +1,17 @@
 //! Detections that an observation holds twice.
 //!
-//! Two causes are distinguished from dirt that lies close together: a list in which nearly all rows stand equally often, and
-//! detections of the same dirt by two images or two runs of a detector. A few equal rows are no proof of a repetition, because
-//! coordinates that are rounded to a pixel are equal by chance where dirt lies close together. Chance explains close pairs where
-//! dirt lies in a heap, so that each distance is compared with the distance of the next neighbour, which states how dense the
-//! dirt is there.
+//! Two causes are distinguished from dirt that lies close together: a list in which nearly all rows occur the same
+//! number of times, and detections of the same dirt by two images or two runs of a detector. A few equal rows are no
+//! proof of a repetition, because coordinates that are rounded to a pixel are equal by chance where dirt lies close
+//! together. Chance explains close pairs where dirt lies in a heap, so that each distance is compared with the
+//! distance of the next neighbour, which states how dense the dirt is there.
 
 use super::Observation;
 use crate::geometry::{Bounds2, Point2, PointGrid};
 use std::collections::{HashMap, HashSet};
 
-/// Least number of distinct places in a list of which all rows are repeated, and least share of these places that stand
-/// equally often \[1\].
+/// Least number of distinct places in a list of which all rows are repeated, and least share of these places that occur
+/// the same number of times \[1\].
 const FEWEST: usize = 5;
 const LEAST_REPEATED: f64 = 0.8;
 /// Logarithm of the probability below which chance does not explain close pairs: one in a million.
@@ -28,8 +28,9 @@ impl Observation {
     /// Removes detections that repeat another one, and returns their number. `error`: standard deviation of a detection's
     /// position, along x and along y \[m\].
     ///
-    /// Of equal coordinates, one detection remains if nearly all coordinates stand equally often, and more than once. Of a
-    /// close pair, the first detection remains, but only if chance does not explain the number of pairs.
+    /// Of equal coordinates, one detection remains if nearly all coordinates occur the same number of times, and more
+    /// than once. Of a close pair, the first detection remains, but only if chance does not explain the number of
+    /// pairs.
     ///
     /// ```
     /// use wisch::geometry::Point2;
@@ -72,7 +73,7 @@ fn distinct_places(places: &[Point2]) -> (Vec<Point2>, HashMap<[u64; 2], usize>)
     (distinct, numbers)
 }
 
-/// Whether nearly all of the distinct places stand equally often in a list, and more than once.
+/// Whether nearly all of the distinct places occur the same number of times in a list, and more than once.
 fn stand_equally_often(places: &[Point2], numbers: &HashMap<[u64; 2], usize>) -> bool {
     let distinct = numbers.len();
     let mut times = vec![0_usize; distinct];

@@ -150,7 +150,7 @@ impl fmt::Display for RunWarning {
             self.episodes
         )?;
         for (place, episode) in self.alike.iter().enumerate() {
-            let lead = if place == 0 { "; most alike: " } else { ", " };
+            let lead = if place == 0 { "; most similar: " } else { ", " };
             let verdict = episode.verdict.as_deref().unwrap_or("verdict unknown");
             write!(f, "{lead}{} ({verdict}", episode.id)?;
             match episode.performance {

@@ -1,8 +1,10 @@
 //! `wisch eval calibration`: compares estimates with ground truth in randomised worlds.
 
-use super::super::words::{counted, percent};
+use super::super::words::{format_count, percent};
 use super::journal::{Cases, Evaluated};
-use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, points, write};
+use super::{
+    Provenance, begin_evidence, conclude, find_outcome, finish_evidence, format_points, write,
+};
 use crate::args::{CalibrationArgs, GlobalArgs, SensesChoice};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
@@ -67,7 +69,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         calibration: Calibration::summarise(&worlds, &args.variant),
     };
     let table = in_words(&record);
-    write(&out.join("reliability.svg"), &drawing(&record))?;
+    write(&out.join("reliability.svg"), &draw_calibration(&record))?;
     conclude(out, "calibration", &record, &table, args.json, global)?;
     let figures = calibration_figures(&record.calibration, senses);
     let cases = [worlds.len(), all.len()];
@@ -78,7 +80,7 @@ pub fn calibration(args: &CalibrationArgs, global: &GlobalArgs) -> Result<Outcom
         Some(&args.journal),
         &figures,
     )?;
-    Ok(outcome(failed))
+    Ok(find_outcome(failed))
 }
 
 fn in_words(record: &CalibrationRecord) -> String {
@@ -93,8 +95,8 @@ fn in_words(record: &CalibrationRecord) -> String {
         (record.settings.iter())
             .map(|(key, value)| format!(", {key} = {value}"))
             .collect::<String>(),
-        counted(calibration.worlds, "world"),
-        counted(calibration.rounds, "round"),
+        format_count(calibration.worlds, "world"),
+        format_count(calibration.rounds, "round"),
     );
     text += "| estimator | CRPS | error | bias | 50 % | 80 % | 90 % | 95 % | width of 90 % |\n";
     text += "|---|---|---|---|---|---|---|---|---|\n";
@@ -125,13 +127,13 @@ fn in_words(record: &CalibrationRecord) -> String {
         text,
         "Pushes: {} in {}, {} detected, {} starts and {} ends within 50 ms; in {} without a push, {} detections at collisions with objects, {} false detections.",
         pushes.pushes,
-        counted(pushes.rounds, "round"),
+        format_count(pushes.rounds, "round"),
         pushes.found,
         pushes.starts,
         pushes.ends,
-        counted(pushes.undisturbed, "round"),
+        format_count(pushes.undisturbed, "round"),
         pushes.obstructed,
-        pushes.invented
+        pushes.false_detections
     );
     text
 }
@@ -139,9 +141,9 @@ fn in_words(record: &CalibrationRecord) -> String {
 fn method_cells(method: &MethodScores) -> String {
     let mut cells = format!(
         " {} | {} | {} |",
-        points(method.crps),
-        points(method.error),
-        points(method.bias)
+        format_points(method.crps),
+        format_points(method.error),
+        format_points(method.bias)
     );
     if method.coverage.is_empty() {
         return cells + " – | – | – | – | – |";
@@ -153,7 +155,7 @@ fn method_cells(method: &MethodScores) -> String {
     let _ = write!(
         cells,
         " {} |",
-        width.map_or_else(String::new, |level| points(level.width))
+        width.map_or_else(String::new, |level| format_points(level.width))
     );
     cells
 }
@@ -173,19 +175,19 @@ fn group_row(group: &GroupScores) -> String {
         let held = format!(
             "{} ({} to {})",
             percent(level.share),
-            points(low),
-            points(high)
+            format_points(low),
+            format_points(high)
         );
-        (held, points(level.width))
+        (held, format_points(level.width))
     });
     format!(
         "| {} | {} | {} | {held} | {width} | {} | {} | {} | {} | {} | {} | {} |",
         group.name,
         group.worlds,
         group.rounds,
-        points(group.method.crps),
-        points(group.method.error),
-        points(group.paper_error),
+        format_points(group.method.crps),
+        format_points(group.method.error),
+        format_points(group.paper_error),
         percent(group.ended_at_90),
         group.claims.claimed,
         group.claims.met,
@@ -193,13 +195,13 @@ fn group_row(group: &GroupScores) -> String {
     )
 }
 
-fn drawing(record: &CalibrationRecord) -> String {
+fn draw_calibration(record: &CalibrationRecord) -> String {
     let curve = |method: &MethodScores| CalibrationCurve {
         name: method.name.to_owned(),
         levels: (method.coverage.iter())
             .map(|level| CalibrationLevel {
                 level: level.level,
-                held: level.share,
+                coverage: level.share,
                 bounds: level.bounds,
                 width: level.width,
             })
@@ -210,8 +212,8 @@ fn drawing(record: &CalibrationRecord) -> String {
     let curves: Vec<CalibrationCurve> = with_intervals.map(curve).collect();
     let what = format!(
         "{} in {}, seeds {} to {}",
-        counted(record.calibration.rounds, "round"),
-        counted(record.calibration.worlds, "world"),
+        format_count(record.calibration.rounds, "round"),
+        format_count(record.calibration.worlds, "world"),
         record.provenance.seeds[0],
         record.provenance.seeds[1]
     );

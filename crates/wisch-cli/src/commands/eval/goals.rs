@@ -4,8 +4,8 @@ use super::super::goal::{GoalPart, GoalSummary, TakenStep, read_goal};
 use super::super::run::run_goal;
 use super::super::words::internal;
 use super::journal::{Cases, Evaluated};
-use super::scenarios::{in_percent, quartiles};
-use super::{Provenance, begin_evidence_of, conclude, finish_evidence, outcome};
+use super::scenarios::{format_quartiles, in_percent};
+use super::{Provenance, begin_evidence_of, conclude, find_outcome, finish_evidence};
 use crate::args::{Cli, Command, GlobalArgs, GoalEvaluationArgs, WipeArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, run_without_notes};
@@ -83,7 +83,7 @@ pub fn goals(args: &GoalEvaluationArgs, global: &GlobalArgs) -> Result<Outcome, 
         Some(&args.journal),
         &figures,
     )?;
-    Ok(outcome(failed))
+    Ok(find_outcome(failed))
 }
 
 /// Checks that the task has a goal of several parts, before the first run.
@@ -185,7 +185,7 @@ fn in_words(record: &GoalsRecord, is_touch_only: bool) -> String {
     );
     let plain = |of: Option<Quartiles>, decimals: usize| {
         let number = |value: f64| format!("{value:.decimals$}");
-        of.map_or_else(|| "–".to_owned(), |of| quartiles(of, number))
+        of.map_or_else(|| "–".to_owned(), |of| format_quartiles(of, number))
     };
     let _ = write!(
         text,

@@ -1,8 +1,8 @@
 //! The folder of an evaluation. It gets a line for each case as soon as the case is evaluated, so that a killed
 //! evaluation can be resumed and several machines can share one.
 
-use super::super::words::counted;
-use super::cannot;
+use super::super::words::format_count;
+use super::file_failure;
 use crate::args::{GlobalArgs, JournalArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -51,8 +51,8 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
         args: &JournalArgs,
         global: &GlobalArgs,
     ) -> Result<Evaluated<R>, Failure> {
-        fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
-        let mut known = self.known(out, args.resume)?;
+        fs::create_dir_all(out).map_err(|error| file_failure(out, "write the folder", &error))?;
+        let mut known = self.read_known(out, args.resume)?;
         let shard = args.shard;
         let open: Vec<&C> = (self.all.iter())
             .filter(|(number, _)| number % shard.count == shard.index - 1)
@@ -62,10 +62,11 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
         let name = format!("{}s-{shard}.jsonl", self.noun);
         let path = out.join(name);
         let file = begin_after_whole_lines(&path);
-        let file = Mutex::new(file.map_err(|error| cannot(&path, "write the file", &error))?);
+        let file = Mutex::new(file.map_err(|error| file_failure(&path, "write the file", &error))?);
         let evaluated = one_on_each_core(&open, self.noun, global, |case| {
             let result = (self.evaluate)(case)?;
-            write_line(&file, &result).map_err(|error| cannot(&path, "write the file", &error))?;
+            write_line(&file, &result)
+                .map_err(|error| file_failure(&path, "write the file", &error))?;
             Ok(result)
         })?;
         let mut failed = 0;
@@ -88,7 +89,7 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
     }
 
     /// Reads the results in the folder, which must belong to this evaluation.
-    fn known(&self, out: &Path, resume: bool) -> Result<BTreeMap<C, R>, Failure> {
+    fn read_known(&self, out: &Path, resume: bool) -> Result<BTreeMap<C, R>, Failure> {
         let known: BTreeMap<C, R> = (read_all(out, self.noun)?.into_iter())
             .map(|result| ((self.case_of)(&result), result))
             .collect();
@@ -109,7 +110,7 @@ impl<C: Ord + Clone + Sync, R: Serialize + DeserializeOwned + Send> Cases<'_, C,
             return Err(Failure::new(format!(
                 "{}: the folder already holds {}",
                 out.display(),
-                counted(known.len(), self.noun)
+                format_count(known.len(), self.noun)
             ))
             .with_help("continue with --resume, or choose another folder with --out"));
         }
@@ -127,7 +128,7 @@ pub fn one_on_each_core<C: Sync, R: Send>(
 ) -> Result<Vec<Result<R, Failure>>, Failure> {
     let progress = Progress::start(global);
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let all = counted(cases.len(), noun);
+    let all = format_count(cases.len(), noun);
     progress.say(format!("0 of {all}"));
     let results = Mutex::new(BTreeMap::new());
     let work = || loop {
@@ -174,9 +175,10 @@ fn write_line(file: &Mutex<File>, result: &impl Serialize) -> std::io::Result<()
 /// Reads all results in the folder and skips incomplete last lines.
 fn read_all<R: DeserializeOwned>(out: &Path, noun: &str) -> Result<Vec<R>, Failure> {
     let mut all = Vec::new();
-    let entries = fs::read_dir(out).map_err(|error| cannot(out, "read the folder", &error))?;
+    let entries =
+        fs::read_dir(out).map_err(|error| file_failure(out, "read the folder", &error))?;
     let paths: Result<Vec<PathBuf>, _> = entries.map(|entry| Ok(entry?.path())).collect();
-    let mut paths = paths.map_err(|error| cannot(out, "read the folder", &error))?;
+    let mut paths = paths.map_err(|error| file_failure(out, "read the folder", &error))?;
     paths.sort();
     for path in paths {
         let name = path.file_name().and_then(|name| name.to_str());
@@ -184,8 +186,8 @@ fn read_all<R: DeserializeOwned>(out: &Path, noun: &str) -> Result<Vec<R>, Failu
         if !(name.starts_with(&format!("{noun}s-")) && name.ends_with(".jsonl")) {
             continue;
         }
-        let text =
-            fs::read_to_string(&path).map_err(|error| cannot(&path, "read the file", &error))?;
+        let text = fs::read_to_string(&path)
+            .map_err(|error| file_failure(&path, "read the file", &error))?;
         let mut lines = text.split_inclusive('\n').enumerate().peekable();
         while let Some((number, line)) = lines.next() {
             match serde_json::from_str::<R>(line) {

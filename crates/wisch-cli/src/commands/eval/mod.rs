@@ -116,7 +116,7 @@ fn finish_evidence(
         .map_err(Failure::new)
 }
 
-fn cannot(path: &Path, what: &str, error: &std::io::Error) -> Failure {
+fn file_failure(path: &Path, what: &str, error: &std::io::Error) -> Failure {
     Failure::new(format!("{}: cannot {what}: {error}", path.display()))
 }
 
@@ -146,7 +146,7 @@ fn conclude(
 }
 
 /// Returns the outcome of an evaluation. `failed`: number of failed cases.
-const fn outcome(failed: usize) -> Outcome {
+const fn find_outcome(failed: usize) -> Outcome {
     if failed == 0 {
         Outcome::Done
     } else {
@@ -170,7 +170,7 @@ fn commit() -> Option<String> {
     output.status.success().then(|| text.trim().to_owned())
 }
 
-fn points(share: f64) -> String {
+fn format_points(share: f64) -> String {
     // Rounded first, so that a small negative number is not written as -0.0.
     let tenths = (1000.0 * share).round() + 0.0;
     format!("{:.1}", tenths / 10.0)

@@ -1,7 +1,10 @@
 //! `wisch eval scenarios`: runs scenarios or tasks over many seeds.
 
 use super::journal::one_on_each_core;
-use super::{Provenance, begin_evidence, cannot, conclude, finish_evidence, outcome, points};
+use super::{
+    Provenance, begin_evidence, conclude, file_failure, find_outcome, finish_evidence,
+    format_points,
+};
 use crate::args::{GlobalArgs, ScenarioEvaluationArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
@@ -39,7 +42,7 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
     for task in &args.tasks {
         load_task(Path::new(task), &LoadOptions::default())?;
     }
-    fs::create_dir_all(out).map_err(|error| cannot(out, "write the folder", &error))?;
+    fs::create_dir_all(out).map_err(|error| file_failure(out, "write the folder", &error))?;
     let evidence = begin_evidence(&args.evidence, None, true)?;
     let [first, last] = provenance.seeds;
     let cases: Vec<(&String, u64)> = (first..=last)
@@ -73,7 +76,7 @@ pub fn scenarios(args: &ScenarioEvaluationArgs, global: &GlobalArgs) -> Result<O
     let figures = scenario_figures(&record.scenarios);
     let counts = [record.runs.len(), cases.len()];
     finish_evidence(evidence, &record.provenance, counts, None, &figures)?;
-    Ok(outcome(failures.len()))
+    Ok(find_outcome(failures.len()))
 }
 
 fn in_words(record: &ScenariosRecord) -> String {
@@ -94,13 +97,13 @@ fn in_words(record: &ScenariosRecord) -> String {
             scores.runs,
             scores.rounds,
             in_percent(scores.first),
-            in_percent(scores.moved),
+            in_percent(scores.recovered),
             in_percent(scores.last),
             scores.met,
             scores.claimed,
             scores.false_claims,
-            scores.held,
-            scores.error.map_or_else(|| "–".to_owned(), points),
+            scores.covered,
+            scores.error.map_or_else(|| "–".to_owned(), format_points),
             scores.collisions,
         );
     }
@@ -110,11 +113,11 @@ fn in_words(record: &ScenariosRecord) -> String {
 
 /// Formats quartiles of shares in percent.
 pub(super) fn in_percent(of: Quartiles) -> String {
-    quartiles(of, points)
+    format_quartiles(of, format_points)
 }
 
 /// Formats the median with the other quartiles and the extremes.
-pub(super) fn quartiles(of: Quartiles, number: impl Fn(f64) -> String) -> String {
+pub(super) fn format_quartiles(of: Quartiles, number: impl Fn(f64) -> String) -> String {
     let [least, first, median, third, greatest] = of.0.map(number);
     format!("{median} ({first} to {third}; {least} to {greatest})")
 }

@@ -1,9 +1,11 @@
 //! `wisch eval sweep`: runs a task with every combination of the given values of its keys.
 
-use super::super::words::counted;
+use super::super::words::format_count;
 use super::journal::{Cases, Evaluated};
-use super::wipings::{header, heading, quartiles, row, runs_csv};
-use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, write};
+use super::wipings::{
+    find_heading, format_header, format_quartiles, format_row, format_runs_as_csv,
+};
+use super::{Provenance, begin_evidence, conclude, find_outcome, finish_evidence, write};
 use crate::args::{GlobalArgs, SweepArgs};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, remark};
@@ -83,7 +85,7 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         setup: setup.clone(),
         runs,
     };
-    write(&out.join("runs.csv"), &runs_table(&record)?)?;
+    write(&out.join("runs.csv"), &format_runs(&record)?)?;
     let table = in_words(&record);
     conclude(out, "sweep", &record, &table, args.json, global)?;
     let figures = sweep_figures(&record.cells, &record.setup.keys);
@@ -95,7 +97,7 @@ pub fn sweep(args: &SweepArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         Some(&args.journal),
         &figures,
     )?;
-    Ok(outcome(failed))
+    Ok(find_outcome(failed))
 }
 
 /// Maximum number of runs of a sweep.
@@ -165,33 +167,35 @@ fn in_words(record: &SweepRecord) -> String {
     let mut text = format!(
         "{}: {} of {}.\n\n",
         record.provenance.in_words(record.setup.extent.as_str()),
-        counted(record.runs.len(), "run"),
+        format_count(record.runs.len(), "run"),
         record.setup.task,
     );
     let is_executed = record.setup.extent == WipingExtent::Executed;
     let claimed = is_executed.then(|| "claimed".to_owned());
     let names = quantities
         .iter()
-        .map(|&quantity| heading(quantity).0.to_owned());
+        .map(|&quantity| find_heading(quantity).0.to_owned());
     let keys = record.setup.keys.iter().cloned();
-    text += &header(keys.chain(["runs".to_owned()]).chain(names).chain(claimed));
+    text += &format_header(keys.chain(["runs".to_owned()]).chain(names).chain(claimed));
     for cell in &record.cells {
         let figures = quantities
             .iter()
-            .map(|&quantity| quartiles(&cell.summary, quantity));
+            .map(|&quantity| format_quartiles(&cell.summary, quantity));
         let claimed = cell.claimed.map(|claimed| claimed.to_string());
         let values = cell.values.iter().cloned();
-        text += &row(values
-            .chain([cell.runs.to_string()])
-            .chain(figures)
-            .chain(claimed));
+        text += &format_row(
+            values
+                .chain([cell.runs.to_string()])
+                .chain(figures)
+                .chain(claimed),
+        );
     }
     text += "\nMedian (quartiles) over the seeds. Computation is wall time on one core.\n";
     text
 }
 
 /// Formats the runs as CSV.
-fn runs_table(record: &SweepRecord) -> Result<String, Failure> {
+fn format_runs(record: &SweepRecord) -> Result<String, Failure> {
     let keys = record.setup.keys.iter().map(String::as_str);
     let names: Vec<&str> = keys.chain(["seed"]).collect();
     let rows = record.runs.iter().map(|run| {
@@ -201,5 +205,5 @@ fn runs_table(record: &SweepRecord) -> Result<String, Failure> {
             &run.score,
         )
     });
-    runs_csv(&names, rows)
+    format_runs_as_csv(&names, rows)
 }

@@ -16,7 +16,7 @@ const AFTER: [&str; 5] = ["before", "low", "high", "verdict", "claimed"];
 
 /// Formats the runs as CSV, one row per run. `names`: headings of the key cells that identify a run. Empty cells have no
 /// value in this evaluation.
-pub(super) fn runs_csv<'a>(
+pub(super) fn format_runs_as_csv<'a>(
     names: &[&str],
     runs: impl Iterator<Item = (Vec<String>, &'a WipingScore)>,
 ) -> Result<String, Failure> {
@@ -45,11 +45,11 @@ pub(super) fn runs_csv<'a>(
             .chain(values)
             .collect()
     });
-    csv(header.map(str::to_owned).collect(), rows)
+    format_csv(header.map(str::to_owned).collect(), rows)
 }
 
 /// Formats a table as CSV (RFC 4180).
-pub(super) fn csv(
+pub(super) fn format_csv(
     header: Vec<String>,
     rows: impl Iterator<Item = Vec<String>>,
 ) -> Result<String, Failure> {
@@ -62,7 +62,7 @@ pub(super) fn csv(
 }
 
 /// Returns the heading of a quantity in tables and its number of decimals; shares are in percent.
-pub(super) const fn heading(quantity: Quantity) -> (&'static str, usize) {
+pub(super) const fn find_heading(quantity: Quantity) -> (&'static str, usize) {
     match quantity {
         Quantity::Planned => ("planned %", 2),
         Quantity::Predicted => ("predicted %", 2),
@@ -87,8 +87,8 @@ pub(super) const fn heading(quantity: Quantity) -> (&'static str, usize) {
 }
 
 /// Formats a value of a quantity.
-pub(super) fn figure(quantity: Quantity, value: f64) -> String {
-    let (name, decimals) = heading(quantity);
+pub(super) fn format_figure(quantity: Quantity, value: f64) -> String {
+    let (name, decimals) = find_heading(quantity);
     let factor = if name.ends_with('%') { 100.0 } else { 1.0 };
     // Means that differ only by rounding errors get the same text.
     let value = (factor * value * PER_ONE).round() / PER_ONE;
@@ -96,14 +96,15 @@ pub(super) fn figure(quantity: Quantity, value: f64) -> String {
 }
 
 /// Formats the mean of a quantity.
-pub(super) fn mean(summary: &QuantitySummary, quantity: Quantity) -> String {
-    of(summary, quantity, |of| figure(quantity, of.mean))
+pub(super) fn format_mean(summary: &QuantitySummary, quantity: Quantity) -> String {
+    of(summary, quantity, |of| format_figure(quantity, of.mean))
 }
 
 /// Formats the median and the quartiles of a quantity.
-pub(super) fn quartiles(summary: &QuantitySummary, quantity: Quantity) -> String {
+pub(super) fn format_quartiles(summary: &QuantitySummary, quantity: Quantity) -> String {
     of(summary, quantity, |of| {
-        let [_, first, median, third, _] = of.quartiles.0.map(|value| figure(quantity, value));
+        let [_, first, median, third, _] =
+            of.quartiles.0.map(|value| format_figure(quantity, value));
         format!("{median} ({first} to {third})")
     })
 }
@@ -119,7 +120,7 @@ fn of(
 }
 
 /// Formats a row of a Markdown table.
-pub(super) fn row(cells: impl IntoIterator<Item = String>) -> String {
+pub(super) fn format_row(cells: impl IntoIterator<Item = String>) -> String {
     // An unescaped bar would split the cell.
     let cells: Vec<String> = cells
         .into_iter()
@@ -129,8 +130,8 @@ pub(super) fn row(cells: impl IntoIterator<Item = String>) -> String {
 }
 
 /// Formats the first two rows of a Markdown table.
-pub(super) fn header(names: impl IntoIterator<Item = String>) -> String {
+pub(super) fn format_header(names: impl IntoIterator<Item = String>) -> String {
     let names: Vec<String> = names.into_iter().collect();
     let rule = "|---".repeat(names.len());
-    format!("{}{rule}|\n", row(names))
+    format!("{}{rule}|\n", format_row(names))
 }

@@ -119,9 +119,11 @@ impl<'a> GoalRun<'a> {
             let is_first = self.steps.iter().all(|step| step.summary.is_none());
             let folder = self.out.join(&name);
             say_which_part(format!("step {number}"), &self.out, &folder, !is_first);
-            let args = self
-                .task
-                .part(&self.situation, &wiping, &self.remaining(&wiping))?;
+            let args = self.task.build_part_arguments(
+                &self.situation,
+                &wiping,
+                &self.list_dirt_settings(&wiping),
+            )?;
             let wiped = match wipe(&args, &folder) {
                 Ok(wiped) => wiped,
                 Err(failure) => {
@@ -271,7 +273,7 @@ impl<'a> GoalRun<'a> {
     }
 
     /// Returns settings of the task for the dirt that an earlier attempt has left; none without an earlier attempt.
-    fn remaining(&self, wiping: &Wiping) -> Vec<(&'static str, String)> {
+    fn list_dirt_settings(&self, wiping: &Wiping) -> Vec<(&'static str, String)> {
         let on = [wiping.medium.clone(), wiping.surface.clone()];
         let Some(earlier) = self.last.get(&on) else {
             return Vec::new();

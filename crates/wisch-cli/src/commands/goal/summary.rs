@@ -1,7 +1,7 @@
 //! The report of a command for a goal of several parts: as JSON, in words, and as a page.
 
 use super::super::patches::performance_of;
-use super::super::words::counted;
+use super::super::words::format_count;
 use serde::Serialize;
 use std::path::Path;
 use wisch::goal::{Sequence, Step};
@@ -162,7 +162,7 @@ pub fn describe_sequence(sequence: &Sequence) -> String {
         0 => "no step is needed".to_owned(),
         count => format!(
             "{}, {:.0} s expected: {}",
-            counted(count, "step"),
+            format_count(count, "step"),
             sequence.time(),
             steps.join(", ")
         ),
@@ -200,7 +200,7 @@ impl GoalSummary {
         let mut text = format!("{}: {}\n", self.task, self.goal);
         let mut add = |name: &str, value: String| text += &format!("  {name:<18} {value}\n");
         let holding = self.parts.iter().filter(|part| part.holds).count();
-        let parts = counted(self.parts.len(), "part");
+        let parts = format_count(self.parts.len(), "part");
         let goal = match (self.is_executed, self.is_predicted) {
             (true, _) => format!("{holding} of {parts} hold, as estimated"),
             (false, true) => format!("{holding} of {parts} hold, as predicted, not executed"),
@@ -239,7 +239,7 @@ impl GoalSummary {
         text
     }
 
-    /// Returns a time that was needed, beside the expected one [s]; that alone where there is no other.
+    /// Formats the time that was needed and the expected time [s]; without execution, the expected time alone.
     fn times(&self, took: f64, expected: f64) -> String {
         if !self.is_executed && took == expected {
             format!("{expected:.1} s expected")

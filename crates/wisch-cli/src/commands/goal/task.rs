@@ -96,7 +96,7 @@ impl<'a> GoalTask<'a> {
         let wipings = situation.list_possible_wipings(&file.goal);
         for (wiping, number) in wipings.iter().zip(1..) {
             progress.say(format!("planning {wiping} ({number} of {})", wipings.len()));
-            let part = task.part(&situation, wiping, &[])?;
+            let part = task.build_part_arguments(&situation, wiping, &[])?;
             let loaded = match load(&part, &KeptFiles::default()) {
                 Ok(loaded) => loaded,
                 // The file as a whole is valid; it lacks what this action needs.
@@ -121,7 +121,7 @@ impl<'a> GoalTask<'a> {
                 task.observed.insert(wiping.clone());
             }
             task.targets.insert(wiping.clone(), loaded.run.target);
-            let (expected, swept) = expect(&loaded, robot);
+            let (expected, swept) = estimate_action(&loaded, robot);
             task.expected.insert(wiping.clone(), expected);
             task.swept
                 .extend(swept.map(|swept| (wiping.clone(), swept)));
@@ -173,7 +173,7 @@ impl<'a> GoalTask<'a> {
     ///
     /// # Errors
     /// If the domain has no effect of the action.
-    pub fn part(
+    pub fn build_part_arguments(
         &self,
         situation: &Situation<'_>,
         wiping: &Wiping,
@@ -241,7 +241,7 @@ impl<'a> GoalTask<'a> {
     }
 
     /// Returns a place in the world [m]: the origin of a surface, or the position of a tool in the rack; `None` if it is unknown.
-    fn place_of(&self, place: StepPlace<'_>) -> Option<[f64; 3]> {
+    fn find_place(&self, place: StepPlace<'_>) -> Option<[f64; 3]> {
         match place {
             StepPlace::Start => None,
             StepPlace::Surface(name) => self.surfaces.get(name).copied(),
@@ -268,7 +268,7 @@ impl StepTimes for GoalTask<'_> {
     }
 
     fn moving(&self, from: StepPlace<'_>, to: StepPlace<'_>) -> f64 {
-        match (self.place_of(from), self.place_of(to)) {
+        match (self.find_place(from), self.find_place(to)) {
             (Some(from), Some(to)) => {
                 let squares = from.iter().zip(to).map(|(a, b)| (a - b).powi(2));
                 squares.sum::<f64>().sqrt() / SPEED
@@ -280,18 +280,18 @@ impl StepTimes for GoalTask<'_> {
 
 /// Plans the task of an action, with the robot if there is one, and predicts time and performance. Also returns the planned
 /// strokes if the action is possible.
-fn expect(
+fn estimate_action(
     loaded: &LoadedTask,
     robot: Option<(&Chosen<'_>, &Robot)>,
 ) -> (Expected, Option<SweptSurface>) {
-    match expect_strokes(loaded, robot) {
+    match estimate_strokes(loaded, robot) {
         Ok((expected, swept)) => (expected, Some(swept)),
         Err(why) => (Expected::Impossible(why), None),
     }
 }
 
-/// Plans and predicts like [`expect`]; the error is the reason why the action is impossible.
-fn expect_strokes(
+/// Plans and predicts like [`estimate_action`]; the error is the reason why the action is impossible.
+fn estimate_strokes(
     loaded: &LoadedTask,
     robot: Option<(&Chosen<'_>, &Robot)>,
 ) -> Result<(Expected, SweptSurface), String> {

@@ -3,15 +3,15 @@
 mod record;
 mod rounds;
 
-use super::interpret::ELSEWHERE_M;
+use super::interpret::MAX_OFFSET_M;
 use super::prepare;
-use super::words::counted;
+use super::words::format_count;
 use crate::args::{GlobalArgs, LearnArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json, remark};
-use record::{FORMAT, LearnRecord, SCHEMA, exp, in_words, law_record};
-use rounds::{KnownRounds, RecordedRound, Recording, learned_nothing, recordings};
+use record::{FORMAT, LearnRecord, SCHEMA, exponentiate_interval, in_words, law_record};
+use rounds::{KnownRounds, RecordedRound, Recording, list_recordings, no_law_failure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
@@ -27,7 +27,9 @@ use wisch_io::{
 use wisch_memory::Episode;
 
 /// First line of a file that `wisch learn` has written and may overwrite.
-const HEADER: &str = "# Interactions as `wisch learn` has them";
+const HEADER: &str = "# Interactions fitted by `wisch learn`";
+/// The same in versions up to 0.2.0.
+const EARLIER_HEADER: &str = "# Interactions as `wisch learn` has them";
 
 /// The observed rounds of one law.
 struct Evidence {
@@ -47,7 +49,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
     let source = KnowledgeSource::new(args.knowledge.as_deref());
     let knowledge = source.base()?;
     let mut tasks = Tasks::read(args)?;
-    let (recordings, left_out) = recordings(args, &mut tasks, &progress)?;
+    let (recordings, left_out) = list_recordings(args, &mut tasks, &progress)?;
     let file = if args.diff {
         None
     } else {
@@ -55,11 +57,11 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         check_overwritable(&args.out)?;
         Some(OutputFile::begin(&args.out)?)
     };
-    let lessons = evidence(&recordings, &mut tasks, &knowledge, &progress)?;
+    let lessons = collect_evidence(&recordings, &mut tasks, &knowledge, &progress)?;
     if lessons.is_empty() {
-        return Err(learned_nothing(recordings.len() + left_out));
+        return Err(no_law_failure(recordings.len() + left_out));
     }
-    progress.say(format!("fitting {}", counted(lessons.len(), "law")));
+    progress.say(format!("fitting {}", format_count(lessons.len(), "law")));
     let given: Vec<LawObservations<'_>> = (lessons.iter())
         .map(|evidence| LawObservations {
             interaction: &evidence.interaction,
@@ -80,7 +82,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         .collect();
     let revised = source.revise_knowledge(&revisions)?;
     if let Some(file) = file {
-        file.finish(entries(&revised).as_bytes())?;
+        file.finish(format_entries(&revised).as_bytes())?;
     }
     drop(progress);
 
@@ -211,7 +213,7 @@ impl Tasks {
 
 /// Collects the observed rounds of each law. An episode that the command line does not name is left out with a note if its law
 /// cannot be learned.
-fn evidence(
+fn collect_evidence(
     recordings: &[Recording],
     tasks: &mut Tasks,
     knowledge: &KnowledgeBase,
@@ -327,7 +329,7 @@ impl<'b> EvidenceReader<'_, 'b> {
         for (key, mut rounds) in rounds {
             let prepared = &self.tasks.known[&key];
             rounds.sort_by_key(|round| round.number);
-            let interaction = known_interaction(prepared, self.knowledge, &rounds[0].place)?;
+            let interaction = find_interaction(prepared, self.knowledge, &rounds[0].place)?;
             for round in &rounds {
                 check_force(prepared, round)?;
             }
@@ -367,7 +369,7 @@ fn check_force(prepared: &LoadedTask, round: &RecordedRound) -> Result<(), Failu
 /// # Errors
 /// If the task treats the surface, if the knowledge base has no such interaction, or if the task has used the tool with
 /// another force, compression depth or gap.
-fn known_interaction(
+fn find_interaction(
     prepared: &LoadedTask,
     knowledge: &KnowledgeBase,
     place: &Path,
@@ -432,7 +434,7 @@ fn read_observed_rounds(
     let sensor = prepared.file.camera.unwrap_or_default();
     let sight = prepared.sight(sensor);
     let effect = prepared.task.action.effect();
-    let mut felt: Vec<(Task, Interpreter)> = Vec::new();
+    let mut interpreted: Vec<(Task, Interpreter)> = Vec::new();
     let mut seen = Vec::new();
     for round in rounds {
         let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
@@ -443,22 +445,25 @@ fn read_observed_rounds(
         if let Some(logged) = round.world_from_surface {
             let apart = logged.inverse() * task.surface.world_from_surface;
             let distance = apart.translation.vector.norm();
-            if distance > ELSEWHERE_M {
+            if distance > MAX_OFFSET_M {
                 return Err(fault(&format!(
-                    "the log's surface is {distance:.3} m away from the surface of task {:?}, limit {ELSEWHERE_M} m: is --task the task of this log?",
+                    "the log's surface is {distance:.3} m away from the surface of task {:?}, limit {MAX_OFFSET_M} m: is --task the task of this log?",
                     task.name
                 )));
             }
             // The surface pose of the round's plan, which touch may have corrected.
             task.surface.world_from_surface = logged;
         }
-        if let Some(number) = round.number.filter(|number| *number > felt.len() + 1) {
+        if let Some(number) = round
+            .number
+            .filter(|number| *number > interpreted.len() + 1)
+        {
             progress.aside(|| {
                 remark(&format!(
-                    "{}: of {} before it, {} given; the exposure of the dirt in the missing rounds is unknown",
+                    "{}: only {} of {} before it are given; the exposure of the dirt in the missing rounds is unknown",
                     round.place.display(),
-                    counted(number - 1, "round"),
-                    felt.len()
+                    interpreted.len(),
+                    format_count(number - 1, "round")
                 ));
             });
         }
@@ -472,7 +477,7 @@ fn read_observed_rounds(
                 remark(&format!(
                     "{}: the wrench of {} is not usable by its quality, and is left out",
                     round.place.display(),
-                    counted(count, "sample")
+                    format_count(count, "sample")
                 ));
             });
         }
@@ -484,14 +489,14 @@ fn read_observed_rounds(
             interpreter.exposures(places, effect, error, GUESSES)
         };
         let mut earlier: Vec<Vec<f64>> = Vec::new();
-        for (then, felt) in &felt {
+        for (then, interpreter_then) in &interpreted {
             let then_from_now =
                 then.surface.world_from_surface.inverse() * task.surface.world_from_surface;
             let places = before
                 .transform(&then_from_now, &task.surface.shape)
                 .detections;
-            let felt = exposures(felt, &places).map_err(|error| fault(&error))?;
-            let most = felt
+            let exposed = exposures(interpreter_then, &places).map_err(|error| fault(&error))?;
+            let most = exposed
                 .iter()
                 .map(|guesses| guesses.iter().map(Exposure::max_share));
             let most: Vec<Vec<f64>> = most.map(Iterator::collect).collect();
@@ -512,7 +517,7 @@ fn read_observed_rounds(
             area_m2: task.surface.outline.area(),
             earlier,
         });
-        felt.push((task, interpreter));
+        interpreted.push((task, interpreter));
     }
     Ok(seen)
 }
@@ -520,19 +525,25 @@ fn read_observed_rounds(
 /// Refuses to overwrite a file that `wisch learn` has not written, such as a file of the knowledge base.
 fn check_overwritable(out: &Path) -> Result<(), Failure> {
     match std::fs::read(out) {
-        Ok(bytes) if !bytes.starts_with(HEADER.as_bytes()) => Err(Failure::new(format!(
-            "{}: the file exists and was not written by `wisch learn`",
-            out.display()
-        ))
-        .with_help(
-            "choose another file with --out; --diff shows what changes in the knowledge base",
-        )),
+        Ok(bytes)
+            if ![HEADER, EARLIER_HEADER]
+                .iter()
+                .any(|header| bytes.starts_with(header.as_bytes())) =>
+        {
+            Err(Failure::new(format!(
+                "{}: the file exists and was not written by `wisch learn`",
+                out.display()
+            ))
+            .with_help(
+                "choose another file with --out; --diff shows what changes in the knowledge base",
+            ))
+        }
         _ => Ok(()),
     }
 }
 
 /// Formats the learned interactions as a file.
-fn entries(revised: &[RevisedFile]) -> String {
+fn format_entries(revised: &[RevisedFile]) -> String {
     let mut text = format!(
         "{HEADER}; each replaces its entry in the knowledge base.\n# `wisch learn --diff` prints the changes; `patch -p1` in the folder applies them.\nschema = 1\n"
     );
@@ -546,15 +557,15 @@ fn entries(revised: &[RevisedFile]) -> String {
 /// Describes the data from which a law was learned, as comment lines.
 fn source_in_words(evidence: &Evidence, law: &LearnedLaw) -> Vec<String> {
     let [mu_low, mu_high] = law.mu.interval;
-    let [sigma_low, sigma_high] = exp(&law.ln_sigma);
-    let [length_low, length_high] = exp(&law.ln_redraw_length);
+    let [sigma_low, sigma_high] = exponentiate_interval(&law.ln_sigma);
+    let [length_low, length_high] = exponentiate_interval(&law.ln_redraw_length);
     let before = &evidence.interaction.likelihood;
     vec![
         format!(
             "from {} of {} with {} that were wiped and observed",
-            counted(law.rounds, "round"),
-            counted(evidence.runs.len(), "run"),
-            counted(law.particles, "particle")
+            format_count(law.rounds, "round"),
+            format_count(evidence.runs.len(), "run"),
+            format_count(law.particles, "particle")
         ),
         format!(
             "with 90 % probability mu is {mu_low:.3} to {mu_high:.3}, sigma {sigma_low:.3} to {sigma_high:.3}, redraw_length_m {length_low:.3} to {length_high:.3}"

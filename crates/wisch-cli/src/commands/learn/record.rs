@@ -1,6 +1,6 @@
 //! The learned laws, as the object of `--json` and as text.
 
-use super::super::words::{counted, percent};
+use super::super::words::{format_count, percent};
 use super::Evidence;
 use serde::Serialize;
 use wisch::learn::{LearnedLaw, PosteriorSummary};
@@ -55,7 +55,7 @@ struct ParameterRecord {
 }
 
 /// Returns the interval of a parameter from the summary of its logarithm.
-pub(super) fn exp(summary: &PosteriorSummary) -> [f64; 2] {
+pub(super) fn exponentiate_interval(summary: &PosteriorSummary) -> [f64; 2] {
     summary.interval.map(f64::exp)
 }
 
@@ -71,7 +71,7 @@ pub(super) fn law_record(evidence: &Evidence, law: &LearnedLaw) -> LawRecord {
         ..
     } = &evidence.interaction;
     let of_log = |before: f64, summary: &PosteriorSummary| {
-        let [low, high] = exp(summary);
+        let [low, high] = exponentiate_interval(summary);
         ParameterRecord {
             before,
             mean: summary.mean.exp(),
@@ -140,7 +140,7 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
                         "{} N, assumed for {} of {}",
                         law.press_force_n,
                         bags,
-                        counted(law.rounds, "round")
+                        format_count(law.rounds, "round")
                     ),
                 },
             ),
@@ -148,9 +148,9 @@ pub(super) fn in_words(record: &LearnRecord) -> String {
                 "from",
                 format!(
                     "{} of {}, {}",
-                    counted(law.rounds, "round"),
-                    counted(law.runs, "run"),
-                    counted(law.particles, "particle")
+                    format_count(law.rounds, "round"),
+                    format_count(law.runs, "run"),
+                    format_count(law.particles, "particle")
                 ),
             ),
         ] {

@@ -1,8 +1,8 @@
 //! The recorded rounds to learn from, in bags and in episodes of a memory.
 
-use super::super::log_advice::unreadable;
-use super::super::memory::{broken, open};
-use super::super::words::counted;
+use super::super::log_advice::log_failure;
+use super::super::memory::{memory_failure, open};
+use super::super::words::format_count;
 use super::Tasks;
 use crate::args::{DEFAULT_MEMORY, LearnArgs, MemoryArgs};
 use crate::failure::Failure;
@@ -79,7 +79,7 @@ impl Source {
             Self::Bag(path) => path.clone(),
             Self::Episode {
                 episode, number, ..
-            } => place(episode, *number),
+            } => round_path(episode, *number),
         }
     }
 
@@ -88,7 +88,7 @@ impl Source {
         match self {
             Self::Bag(path) => {
                 let log =
-                    read(path, &LogOptions::default()).map_err(|error| unreadable(error, path))?;
+                    read(path, &LogOptions::default()).map_err(|error| log_failure(error, path))?;
                 Ok(Some(RecordedRound {
                     place: path.clone(),
                     task: log.task,
@@ -108,12 +108,12 @@ impl Source {
             Self::Episode {
                 episode, number, ..
             } => {
-                let seen = episode.observations(*number).map_err(broken)?;
-                let telemetry = episode.telemetry(*number).map_err(broken)?;
+                let seen = episode.observations(*number).map_err(memory_failure)?;
+                let telemetry = episode.telemetry(*number).map_err(memory_failure)?;
                 let touch = telemetry.touch_samples();
                 let (samples, unusable) =
-                    touch.map_err(|error| broken(MemoryError::from(error)))?;
-                let place = place(episode, *number);
+                    touch.map_err(|error| memory_failure(MemoryError::from(error)))?;
+                let place = round_path(episode, *number);
                 if samples.is_empty() {
                     let count = unusable.count();
                     if count == 0 {
@@ -153,12 +153,12 @@ impl RecordedRound {
     /// If one of them is missing.
     pub fn observations_of_both(&self) -> Result<[Observation; 2], Failure> {
         let missing = (self.observations.iter().zip(&self.unseen).zip(WHEN))
-            .find_map(|((look, said), when)| look.is_none().then_some((said, when)));
+            .find_map(|((observation, said), when)| observation.is_none().then_some((said, when)));
         match (&self.observations, missing) {
             ([Some(before), Some(after)], _) => Ok([before.clone(), after.clone()]),
             (_, missing) => {
                 let (said, when) = missing.unwrap_or((&"", WHEN[0]));
-                Err(unseen(&self.place, said, when))
+                Err(no_observation_failure(&self.place, said, when))
             }
         }
     }
@@ -207,7 +207,7 @@ impl<'a> KnownRounds<'a> {
 
 const WHEN: [&str; 2] = ["before", "after"];
 
-fn unseen(place: &Path, said: &str, when: &str) -> Failure {
+fn no_observation_failure(place: &Path, said: &str, when: &str) -> Failure {
     Failure::new(format!(
         "{said}there is no camera observation of the dirt {when} this round"
     ))
@@ -216,17 +216,17 @@ fn unseen(place: &Path, said: &str, when: &str) -> Failure {
 }
 
 /// Returns the path of a round in its episode, for messages.
-fn place(episode: &Episode, number: usize) -> PathBuf {
+fn round_path(episode: &Episode, number: usize) -> PathBuf {
     episode.folder().join(format!("round-{number}"))
 }
 
 /// Lists all recorded rounds of the arguments, grouped by run, and counts the episodes that are left out.
-pub(super) fn recordings(
+pub(super) fn list_recordings(
     args: &LearnArgs,
     tasks: &mut Tasks,
     progress: &Progress,
 ) -> Result<(Vec<Recording>, usize), Failure> {
-    let bags = bags(&args.bags)?.into_iter();
+    let bags = list_bags(&args.bags)?.into_iter();
     let mut recordings: Vec<Recording> = bags
         .map(|(folder, bags)| Recording {
             folder,
@@ -245,18 +245,18 @@ pub(super) fn recordings(
     })?;
     let named: BTreeSet<&String> = args.episodes.iter().collect();
     for &id in &named {
-        let episode = memory.episode(id).map_err(broken)?;
-        recordings.push(recording(episode, tasks)??);
+        let episode = memory.episode(id).map_err(memory_failure)?;
+        recordings.push(read_recording(episode, tasks)??);
     }
     if named.is_empty() {
         let mut episodes = 0;
-        for id in memory.episodes().map_err(broken)? {
-            let episode = memory.episode(&id).map_err(broken)?;
-            if episode.record().map_err(broken)?.is_of_goal() {
+        for id in memory.episodes().map_err(memory_failure)? {
+            let episode = memory.episode(&id).map_err(memory_failure)?;
+            if episode.record().map_err(memory_failure)?.is_of_goal() {
                 continue;
             }
             episodes += 1;
-            match recording(episode, tasks)? {
+            match read_recording(episode, tasks)? {
                 Ok(recording) => recordings.push(Recording {
                     is_optional: true,
                     ..recording
@@ -268,15 +268,15 @@ pub(super) fn recordings(
             }
         }
         if recordings.is_empty() {
-            return Err(learned_nothing(episodes).within(&folder));
+            return Err(no_law_failure(episodes).within(&folder));
         }
     }
     Ok((recordings, left_out))
 }
 
 /// The error that no law can be learned from some episodes.
-pub(super) fn learned_nothing(episodes: usize) -> Failure {
-    let count = counted(episodes, "episode");
+pub(super) fn no_law_failure(episodes: usize) -> Failure {
+    let count = format_count(episodes, "episode");
     Failure::new(format!("none of {count} can be learned from")).with_help(
         "give the executed task with --task FILE; camera observations need perception.senses = [\"touch\", \"sight\"] in the task",
     )
@@ -286,8 +286,11 @@ pub(super) fn learned_nothing(episodes: usize) -> Failure {
 ///
 /// # Errors
 /// If the episode cannot be read.
-fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Failure>, Failure> {
-    let record = episode.record().map_err(broken)?;
+fn read_recording(
+    episode: Episode,
+    tasks: &mut Tasks,
+) -> Result<Result<Recording, Failure>, Failure> {
+    let record = episode.record().map_err(memory_failure)?;
     let folder = episode.folder().to_owned();
     let task = match tasks.of_episode(&episode, &record.task) {
         Ok(task) => task,
@@ -295,15 +298,25 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
     };
     let mut sources = Vec::new();
     for number in 1..=record.rounds.len() {
-        let seen = episode.observations(number).map_err(broken)?;
+        let seen = episode.observations(number).map_err(memory_failure)?;
         let seen = seen.map_or([None, None], |seen| seen.observations);
-        if let Some((_, when)) = seen.iter().zip(WHEN).find(|(look, _)| look.is_none()) {
-            return Ok(Err(unseen(&place(&episode, number), "", when)));
+        if let Some((_, when)) = seen
+            .iter()
+            .zip(WHEN)
+            .find(|(observation, _)| observation.is_none())
+        {
+            return Ok(Err(no_observation_failure(
+                &round_path(&episode, number),
+                "",
+                when,
+            )));
         }
         // If the disk was full, the episode was kept without telemetry.
-        if !episode.has_telemetry(number).map_err(broken)? {
+        if !episode.has_telemetry(number).map_err(memory_failure)? {
             let problem = "the telemetry of this round is missing";
-            return Ok(Err(Failure::new(problem).within(&place(&episode, number))));
+            return Ok(Err(
+                Failure::new(problem).within(&round_path(&episode, number))
+            ));
         }
         sources.push(Source::Episode {
             episode: episode.clone(),
@@ -324,7 +337,7 @@ fn recording(episode: Episode, tasks: &mut Tasks) -> Result<Result<Recording, Fa
 }
 
 /// Lists the bags of the arguments without duplicates, grouped by folder.
-fn bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
+fn list_bags(paths: &[PathBuf]) -> Result<BTreeMap<PathBuf, Vec<PathBuf>>, Failure> {
     let mut bags: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
     for path in paths {
         let found = if path.is_dir() {

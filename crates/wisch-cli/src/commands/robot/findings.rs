@@ -84,8 +84,8 @@ impl fmt::Display for FindingGroup<'_> {
         let names = self.names.iter().map(|name| format!("{name:?}"));
         let meshes = self.meshes.iter().map(|mesh| (*mesh).to_owned());
         match self.meshes.len() {
-            0 | 1 => write!(f, " ({links_or_joints} {})", listed(names)),
-            _ => write!(f, " (meshes {})", listed(meshes)),
+            0 | 1 => write!(f, " ({links_or_joints} {})", join_names(names)),
+            _ => write!(f, " (meshes {})", join_names(meshes)),
         }
     }
 }
@@ -117,7 +117,7 @@ fn push_once<'a>(names: &mut Vec<&'a str>, name: &'a str) {
     }
 }
 
-fn listed(names: impl ExactSizeIterator<Item = String>) -> String {
+fn join_names(names: impl ExactSizeIterator<Item = String>) -> String {
     let more = names.len().saturating_sub(NAMES_SHOWN);
     let mut text = names.take(NAMES_SHOWN).collect::<Vec<_>>().join(", ");
     if more > 0 {

@@ -37,7 +37,7 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
         )?),
         None => None,
     };
-    let packages = packages(args, task.as_ref());
+    let packages = list_packages(args, task.as_ref());
     let (robot, base) = read_robot(args, &packages)?;
     let tips = args.tips.iter().map(|tip| robot.link(tip));
     let tips: Vec<LinkId> = tips.collect::<Result<_, _>>().map_err(|error| {
@@ -90,7 +90,7 @@ pub fn set_up(args: &RobotSetupArgs, global: &GlobalArgs) -> Result<Outcome, Fai
 }
 
 /// Returns the folders of ROS packages: those of the command line, then those of the task.
-fn packages(args: &RobotSetupArgs, task: Option<&LoadedTask>) -> Vec<(String, PathBuf)> {
+fn list_packages(args: &RobotSetupArgs, task: Option<&LoadedTask>) -> Vec<(String, PathBuf)> {
     let mut packages = args.packages.clone();
     let description = task.and_then(|task| Some(&task.file.robot.as_ref()?.description));
     let folder = (args.task.as_deref()).and_then(Path::parent);

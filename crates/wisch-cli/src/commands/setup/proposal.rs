@@ -102,7 +102,7 @@ pub fn propose(
     let pairs = sample_pairs(robot, &arms, config, &progress)?;
     let groups = arms.iter().flat_map(|arm| &arm.groups);
     let groups = groups.map(|proposed| proposed.group.clone()).collect();
-    let mut srdf = Srdf::new(groups, rest_state(robot), pairs.disabled.clone());
+    let mut srdf = Srdf::new(groups, build_rest_state(robot), pairs.disabled.clone());
     // z is what programs expect of a flange.
     let unusual = arms.iter().filter(|arm| arm.tip_axis != LinkAxis::Z);
     srdf.tool_holders = unusual
@@ -126,7 +126,7 @@ pub fn propose(
     srdf.states.splice(0..0, states(robot, &arms, &ready)?);
     srdf.counterbalanced = ready
         .last()
-        .map_or_else(Vec::new, |(_, last)| too_heavy(robot, &last.q));
+        .map_or_else(Vec::new, |(_, last)| find_overloaded_joints(robot, &last.q));
     Ok(Proposal {
         assumed,
         srdf,
@@ -176,7 +176,7 @@ fn find_postures(
     let mut moved: Vec<usize> = Vec::new();
     let mut ready = Vec::new();
     for arm in arms {
-        let regions = regions(robot, arm, &held, &scene.place)?;
+        let regions = list_regions(robot, arm, &held, &scene.place)?;
         let mut found = None;
         for (group, places) in list_attempts(robot, arm, &moved, regions.len())? {
             let request = ReadyRequest {
@@ -273,7 +273,7 @@ fn list_attempts<'a>(
 }
 
 /// Returns the ready state of joints that cannot stay in the middle of their limits; a group of its own, if there are any.
-fn rest_state(robot: &RobotModel) -> Vec<GroupState> {
+fn build_rest_state(robot: &RobotModel) -> Vec<GroupState> {
     let (held, driving) = held_posture(robot);
     let state = GroupState {
         name: READY_STATE.to_owned(),
@@ -285,7 +285,7 @@ fn rest_state(robot: &RobotModel) -> Vec<GroupState> {
 
 /// Returns the joints that need more effort to hold a posture than their limits permit. A robot that exists holds it, so
 /// springs or weights carry such a joint, or its URDF is wrong. None if the URDF has too few masses to say.
-fn too_heavy(robot: &RobotModel, q: &[f64]) -> Vec<JointId> {
+fn find_overloaded_joints(robot: &RobotModel, q: &[f64]) -> Vec<JointId> {
     let down = Vector3::new(0.0, 0.0, -GRAVITY);
     let Ok(efforts) = (robot.dynamics()).and_then(|dynamics| dynamics.gravity(q, down)) else {
         return Vec::new();
@@ -299,7 +299,7 @@ fn too_heavy(robot: &RobotModel, q: &[f64]) -> Vec<JointId> {
 }
 
 /// Returns where the arm may wait, the best place first.
-fn regions(
+fn list_regions(
     robot: &RobotModel,
     arm: &ArmChain,
     held: &[f64],
@@ -339,7 +339,7 @@ fn scene_without_task(
         let (Some(tip), Some([x, y, z])) = (tip, stand_in) else {
             continue;
         };
-        let tool = cuboid("tool", Vector3::new(x, y, z))?;
+        let tool = build_cuboid("tool", Vector3::new(x, y, z))?;
         let name = format!("tool of {}", arm.name);
         let axis = arm.tip_axis;
         let out = hand_extent(robot, tip, axis, &held)? + z / 2.0;
@@ -360,7 +360,7 @@ fn scene_without_task(
     }
     if let Some(top) = find_table(robot, arms, &held)? {
         let [x, y, z] = TABLE;
-        let table = cuboid("table", Vector3::new(x, y, z))?;
+        let table = build_cuboid("table", Vector3::new(x, y, z))?;
         let below = Pose::translation(0.0, 0.0, top - z / 2.0);
         collisions.add_obstacle("table below", below, &table)?;
     }
@@ -371,7 +371,7 @@ fn scene_without_task(
     })
 }
 
-fn cuboid(name: &str, size: Vector3) -> Result<Mesh, SetupError> {
+fn build_cuboid(name: &str, size: Vector3) -> Result<Mesh, SetupError> {
     Mesh::cuboid(size).map_err(|error| {
         SetupError::Robot(RobotError::Obstacle {
             name: name.to_owned(),

@@ -4,7 +4,7 @@ use super::proposal::{Proposal, is_mobile};
 use super::trial::Tried;
 use crate::args::RobotSetupArgs;
 use crate::commands::PROGRAM;
-use crate::commands::words::{counted, internal};
+use crate::commands::words::{format_count, internal};
 use crate::failure::Failure;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_3;
@@ -174,7 +174,7 @@ impl<'a> SetupRecord<'a> {
             ready: ready.collect(),
             mobile_base: (proposal.srdf.virtual_joints.first())
                 .map(|base| base.child_link.as_str()),
-            counterbalanced: counterbalanced(robot, proposal).collect(),
+            counterbalanced: name_counterbalanced(robot, proposal).collect(),
             has_room_for_tool: !proposal.assumed.no_tool,
             is_assumed_to_hang: proposal.assumed.hangs,
             pairs: PairsRecord {
@@ -282,10 +282,10 @@ pub fn comments(
         let _ = write!(
             about_pairs,
             "\n{} never collided in these postures but can come closer: checked.",
-            counted(pairs.near, "pair")
+            format_count(pairs.near, "pair")
         );
     }
-    if let Some(note) = often_note(robot, proposal) {
+    if let Some(note) = unchecked_pairs_note(robot, proposal) {
         let _ = write!(about_pairs, "\n{note}.");
     }
     SrdfComments {
@@ -319,7 +319,7 @@ fn describe_ready(ready: &ReadyPosture, pairs: &LinkPairs, seed: u64) -> String 
         first.to_uppercase(),
         100.0 * ready.limit_share,
         ready.manipulability,
-        counted(ready.free, "posture"),
+        format_count(ready.free, "posture"),
         ready.samples,
     )
 }
@@ -328,7 +328,7 @@ fn describe_ready(ready: &ReadyPosture, pairs: &LinkPairs, seed: u64) -> String 
 fn describe_trial(tried: Tried) -> String {
     format!(
         "Of {} tried with a plan over the task's surface, this one leaves the fewest nodes out of reach: {} of {}",
-        counted(tried.postures, "posture"),
+        format_count(tried.postures, "posture"),
         tried.abandoned,
         tried.nodes
     )
@@ -436,7 +436,7 @@ pub fn describe(
             ),
         },
     ));
-    lines.extend(often_note(robot, proposal).map(|note| ("note", note)));
+    lines.extend(unchecked_pairs_note(robot, proposal).map(|note| ("note", note)));
     lines.extend(counterbalance_note(robot, proposal).map(|note| ("note", note)));
     let postures = proposal.ready.first().map_or(0, |(_, ready)| ready.samples);
     lines.push((
@@ -477,12 +477,12 @@ pub fn group_lines<'a>(
         .iter()
         .map(|ProposedGroup { group, joints, .. }| {
             let [base, tip] = [group.base, group.tip].map(|link| link_name(robot, link));
-            let joints = counted(*joints, "joint");
+            let joints = format_count(*joints, "joint");
             format!("{}: {joints}, {base} to {tip}", group.name)
         })
 }
 
-fn counterbalanced<'a>(
+fn name_counterbalanced<'a>(
     robot: &'a RobotModel,
     proposal: &'a Proposal,
 ) -> impl Iterator<Item = &'a str> {
@@ -492,7 +492,7 @@ fn counterbalanced<'a>(
 
 /// Returns a remark on joints that cannot hold the ready posture within their effort limits.
 fn counterbalance_note(robot: &RobotModel, proposal: &Proposal) -> Option<String> {
-    let names: Vec<&str> = counterbalanced(robot, proposal).collect();
+    let names: Vec<&str> = name_counterbalanced(robot, proposal).collect();
     (!names.is_empty()).then(|| {
         format!(
             "the effort limits of {} are too low to hold the ready posture: springs or weights are assumed, and these efforts are not checked; if there are none, correct the URDF and remove <counterbalance> from the SRDF",
@@ -502,7 +502,7 @@ fn counterbalance_note(robot: &RobotModel, proposal: &Proposal) -> Option<String
 }
 
 /// Returns a remark on pairs that are not checked although they are apart in some postures.
-fn often_note(robot: &RobotModel, proposal: &Proposal) -> Option<String> {
+fn unchecked_pairs_note(robot: &RobotModel, proposal: &Proposal) -> Option<String> {
     let often = &proposal.pairs.often;
     let names = often.iter().map(|pair| {
         let [a, b] = pair.map(|link| link_name(robot, link));
@@ -541,7 +541,7 @@ pub fn next_steps(
     proposal: &Proposal,
     out: &Path,
 ) -> String {
-    let file = path_word(&args.file);
+    let file = quote_path(&args.file);
     let packages = args.packages.iter();
     let packages: String = packages
         .map(|(name, folder)| {
@@ -555,7 +555,7 @@ pub fn next_steps(
     let srdf = if is_beside {
         String::new()
     } else {
-        format!(" --srdf {}", path_word(out))
+        format!(" --srdf {}", quote_path(out))
     };
     let check = format!("wisch robot check {file}{srdf}{packages}");
     if !is_beside {
@@ -573,7 +573,7 @@ pub fn next_steps(
     let (held, _) = held_posture(robot);
     let is_on_table = matches!(find_table(robot, &proposal.arms, &held), Ok(Some(_)));
     let task = match &args.task {
-        Some(task) => path_word(task),
+        Some(task) => quote_path(task),
         None if is_mobile(robot, &proposal.arms) => driven.to_owned(),
         None if is_on_table && !proposal.assumed.hangs => fixed.to_owned(),
         None => {
@@ -591,6 +591,6 @@ pub fn next_steps(
 }
 
 /// Writes a path as one word of a shell.
-fn path_word(path: &Path) -> String {
+fn quote_path(path: &Path) -> String {
     shell_word(&path.display().to_string())
 }

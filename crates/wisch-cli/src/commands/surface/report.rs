@@ -2,7 +2,7 @@
 
 use super::checked::CheckedMesh;
 use super::measures::{Measures, PlacedValue};
-use crate::commands::words::{counted, percent};
+use crate::commands::words::{format_count, percent};
 use wisch::geometry::{MeshSurvey, Sheet};
 
 /// Bends that lower the surface by less than this over the radius of the tool count as none [m].
@@ -14,7 +14,7 @@ pub(super) fn report(checked: &CheckedMesh) -> String {
     let mut text = format!(
         "{}: {}, {:.3} x {:.3} x {:.3} m\n",
         checked.name,
-        counted(checked.triangles, "triangle"),
+        format_count(checked.triangles, "triangle"),
         size.x,
         size.y,
         size.z
@@ -35,7 +35,7 @@ pub(super) fn report(checked: &CheckedMesh) -> String {
             &format!(
                 "up to {:.2} mm, at {}",
                 1e3 * sheet.smoothed_by(),
-                place(&sheet.smoothed_at().coords.into())
+                format_place(&sheet.smoothed_at().coords.into())
             ),
         );
         line("tool", &describe_contact(checked, sheet, measures));
@@ -68,7 +68,7 @@ pub(super) fn describe_part(survey: &MeshSurvey, area: f64) -> String {
         _ => format!(
             "number {} by size of {}, {} of the area; --seed-point takes another",
             survey.taken_part + 1,
-            counted(parts, "part"),
+            format_count(parts, "part"),
             percent(taken / all)
         ),
     };
@@ -90,19 +90,19 @@ fn describe_repairs(survey: &MeshSurvey) -> Option<String> {
     if repairs.welded > 0 {
         parts.push(format!(
             "merged {}",
-            counted(repairs.welded, "near vertex").replace("vertexs", "vertices")
+            format_count(repairs.welded, "near vertex").replace("vertexs", "vertices")
         ));
     }
     if repairs.dropped > 0 {
         parts.push(format!(
             "dropped {} without area or repeated",
-            counted(repairs.dropped, "triangle")
+            format_count(repairs.dropped, "triangle")
         ));
     }
     if repairs.split > 0 {
         parts.push(format!(
             "split {} at vertices within them",
-            counted(repairs.split, "edge")
+            format_count(repairs.split, "edge")
         ));
     }
     if survey.flipped > 0 {
@@ -114,7 +114,7 @@ fn describe_repairs(survey: &MeshSurvey) -> Option<String> {
     if survey.shared_edges > 0 {
         parts.push(format!(
             "cut {} that more than two triangles share",
-            counted(survey.shared_edges, "edge")
+            format_count(survey.shared_edges, "edge")
         ));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
@@ -130,7 +130,7 @@ fn describe_borders(survey: &MeshSurvey) -> String {
             let rest = if count > 3 { ", ..." } else { "" };
             format!(
                 "{outer:.3} m; {} of {}{rest} m around",
-                counted(count, "hole"),
+                format_count(count, "hole"),
                 holes.collect::<Vec<_>>().join(", ")
             )
         }
@@ -144,7 +144,7 @@ pub(super) fn describe_chart(sheet: &Sheet) -> String {
         "{:.3} x {:.3} m, {}",
         size.x,
         size.y,
-        counted(sheet.triangle_count(), "triangle")
+        format_count(sheet.triangle_count(), "triangle")
     )
 }
 
@@ -153,7 +153,7 @@ fn describe_stretch(sheet: &Sheet) -> String {
     format!(
         "{} at most, at {}; {} on 99 % of the area, {} in the median, {} over a disc of the tool's radius",
         percent(stretch.most),
-        place(&stretch.at.coords.into()),
+        format_place(&stretch.at.coords.into()),
         percent(stretch.p99),
         percent(stretch.median),
         percent(stretch.at_tool_scale)
@@ -165,7 +165,10 @@ fn describe_bend(checked: &CheckedMesh, measures: &Measures) -> String {
     let radius = |bend: &PlacedValue, name: &str, sign: f64| {
         if 0.5 * sign * bend.value * reach * reach > NOTICED_SAG {
             let radius = 1.0 / bend.value.abs();
-            format!("{name} to a radius of {radius:.3} m at {}", place(&bend.at))
+            format!(
+                "{name} to a radius of {radius:.3} m at {}",
+                format_place(&bend.at)
+            )
         } else {
             format!("no {name}")
         }
@@ -186,7 +189,7 @@ fn describe_normals(measures: &Measures) -> String {
         n.y,
         n.z,
         measures.largest_lean.value,
-        place(&measures.largest_lean.at)
+        format_place(&measures.largest_lean.at)
     )
 }
 
@@ -200,7 +203,7 @@ fn describe_contact(checked: &CheckedMesh, sheet: &Sheet, measures: &Measures) -
         percent(measures.touched_share),
         touched_area(sheet, checked.args.compression_depth_m),
         1e3 * needed.value,
-        place(&needed.at)
+        format_place(&needed.at)
     )
 }
 
@@ -214,7 +217,7 @@ pub(super) fn touched_area(sheet: &Sheet, depth: f64) -> &'static str {
 }
 
 /// Formats a place [m].
-pub(super) fn place(at: &[f64; 3]) -> String {
+pub(super) fn format_place(at: &[f64; 3]) -> String {
     let [x, y, z] = at;
     format!("({x:.3}, {y:.3}, {z:.3}) m")
 }

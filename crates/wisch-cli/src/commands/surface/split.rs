@@ -3,10 +3,10 @@
 use super::checked::{ReadMesh, advise, read_mesh, remark_on_smoothing};
 use super::measures::{Measures, PlacedValue};
 use super::record::{StretchRecord, ToolRecord, stretch_record};
-use super::report::{describe_chart, describe_part, place, touched_area};
+use super::report::{describe_chart, describe_part, format_place, touched_area};
 use super::{check_name_of_picture, draw_chart, write};
 use crate::args::{GlobalArgs, SurfaceMeshArgs, SurfaceSplitArgs};
-use crate::commands::words::{counted, internal, percent};
+use crate::commands::words::{format_count, internal, percent};
 use crate::failure::Failure;
 use crate::terminal::{Outcome, print};
 use serde::Serialize;
@@ -161,7 +161,7 @@ impl SplitMesh<'_> {
     }
 
     fn report(&self, args: &SurfaceSplitArgs) -> String {
-        let count = counted(self.read.mesh.triangles().len(), "triangle");
+        let count = format_count(self.read.mesh.triangles().len(), "triangle");
         let mut text = format!("{}: {count}\n", self.read.name);
         let mut line = |name: &str, value: &str| text += &format!("  {name:<11} {value}\n");
         let atlas = match &self.atlas {
@@ -181,7 +181,7 @@ impl SplitMesh<'_> {
         for (index, (chart, measures)) in atlas.charts().iter().zip(&self.measures).enumerate() {
             let stretch = chart.stretch();
             let (area, size) = (chart.area(), describe_chart(chart));
-            let middle = place(&chart.extend(Point2::origin()).point.coords.into());
+            let middle = format_place(&chart.extend(Point2::origin()).point.coords.into());
             line(
                 &format!("patch {}", index + 1),
                 &format!("{area:.4} m2, {size}, about {middle}"),

@@ -23,10 +23,10 @@ const LEAST_TIME: f64 = 0.2;
 /// square of the acceleration, in which it leaves no more [1].
 const MOST_LEFT: f64 = 0.5;
 const LEAST_EXPLAINED: f64 = 0.7;
-/// Largest size of the mean acceleration over the mean size [1]: the force of inertia turns round as a motion ends, the force
-/// of a hand does not.
+/// Largest norm of the mean acceleration over the mean of its norm [1]: the force of inertia reverses as a motion ends,
+/// the force of a hand does not.
 const MOST_ONE_WAY: f64 = 0.7;
-/// Part of the motion, weighted as above, whose acceleration is exceeded by the rest only [1].
+/// Quantile of the acceleration, weighted as above, at which the inertial force has to be large enough [1].
 const STRONG: f64 = 0.75;
 
 /// Inertial force of the mass behind the sensor.

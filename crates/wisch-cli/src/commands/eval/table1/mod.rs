@@ -4,12 +4,14 @@ mod page;
 mod record;
 
 use super::journal::{Cases, Evaluated};
-use super::wipings::{csv, header, heading, mean, row, runs_csv};
-use super::{Provenance, begin_evidence, conclude, finish_evidence, outcome, write};
+use super::wipings::{
+    find_heading, format_csv, format_header, format_mean, format_row, format_runs_as_csv,
+};
+use super::{Provenance, begin_evidence, conclude, find_outcome, finish_evidence, write};
 use crate::args::{GlobalArgs, Table1Args};
 use crate::failure::Failure;
 use crate::terminal::Outcome;
-use record::{Table1Record, columns, lead, papers};
+use record::{Table1Record, format_paper_figure, list_columns, write_lead};
 use std::fmt::Write as _;
 use std::path::Path;
 use wisch::plan::Strategy;
@@ -33,7 +35,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
         settings: args.settings.clone(),
         pictured_seed: first,
     };
-    let all = cases(args, provenance.seeds);
+    let all = list_cases(args, provenance.seeds);
     check(&all, &setup)?;
     let cases = Cases {
         noun: "run",
@@ -59,7 +61,7 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
         rows,
         runs,
     };
-    write(&out.join("runs.csv"), &runs_table(&record.runs)?)?;
+    write(&out.join("runs.csv"), &format_runs(&record.runs)?)?;
     write(&out.join("table1.csv"), &rows_table(&record.rows)?)?;
     write(&out.join("table1.html"), &page::page(&record)?)?;
     for run in &mut record.runs {
@@ -76,11 +78,11 @@ pub fn table1(args: &Table1Args, global: &GlobalArgs) -> Result<Outcome, Failure
         Some(&args.journal),
         &figures,
     )?;
-    Ok(outcome(failed))
+    Ok(find_outcome(failed))
 }
 
 /// All runs, each with its number.
-fn cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
+fn list_cases(args: &Table1Args, [first, last]: [u64; 2]) -> Vec<(u64, Table1Case)> {
     let is_asked = |task: &TaskCase| {
         let mut named = args.cells.iter().flat_map(|cells| &cells.0);
         args.cells.is_empty() || named.any(|named| named == task)
@@ -122,17 +124,17 @@ fn check(cases: &[(u64, Table1Case)], setup: &Table1Setup) -> Result<(), Failure
 }
 
 fn in_words(record: &Table1Record) -> String {
-    let columns = columns(&record.setup);
+    let columns = list_columns(&record.setup);
     let is_executed = record.setup.extent == WipingExtent::Executed;
-    let mut text = lead(record) + "\n\n";
+    let mut text = write_lead(record) + "\n\n";
     let names = columns.iter().flat_map(|(quantity, paper)| {
         let paper = paper.map(|_| "paper".to_owned());
-        [Some(heading(*quantity).0.to_owned()), paper]
+        [Some(find_heading(*quantity).0.to_owned()), paper]
             .into_iter()
             .flatten()
     });
     let claimed = is_executed.then(|| "claimed".to_owned());
-    text += &header(
+    text += &format_header(
         ["", "", "", "runs"]
             .map(str::to_owned)
             .into_iter()
@@ -142,15 +144,15 @@ fn in_words(record: &Table1Record) -> String {
     for line in &record.rows {
         let keys = [line.action, line.surface, &line.strategy].map(str::to_owned);
         let figures = columns.iter().flat_map(|&(quantity, paper)| {
-            let ours = mean(&line.ours, quantity);
+            let ours = format_mean(&line.ours, quantity);
             let is_bold = quantity == Quantity::Predicted && line.is_reached;
             let ours = if is_bold { format!("**{ours}**") } else { ours };
-            let paper = paper.map(|of| papers(line, of(&line.paper)));
+            let paper = paper.map(|of| format_paper_figure(line, of(&line.paper)));
             [Some(ours), paper].into_iter().flatten()
         });
         let claimed = line.claimed.map(|claimed| claimed.to_string());
         let runs = line.runs.to_string();
-        text += &row(keys.into_iter().chain([runs]).chain(figures).chain(claimed));
+        text += &format_row(keys.into_iter().chain([runs]).chain(figures).chain(claimed));
     }
     let [reached, own] = record.reached;
     if own > 0 {
@@ -165,7 +167,7 @@ fn in_words(record: &Table1Record) -> String {
 }
 
 /// Formats the runs as CSV.
-fn runs_table(runs: &[Table1Run]) -> Result<String, Failure> {
+fn format_runs(runs: &[Table1Run]) -> Result<String, Failure> {
     let rows = runs.iter().map(|run| {
         let Table1Case {
             task,
@@ -178,7 +180,7 @@ fn runs_table(runs: &[Table1Run]) -> Result<String, Failure> {
             &run.score,
         )
     });
-    runs_csv(&["action", "surface", "strategy", "seed"], rows)
+    format_runs_as_csv(&["action", "surface", "strategy", "seed"], rows)
 }
 
 /// Formats the means of each cell and strategy, with the paper's figures, as CSV.
@@ -217,5 +219,5 @@ fn rows_table(rows: &[Table1Row]) -> Result<String, Failure> {
         });
         keys.into_iter().chain(means).collect()
     });
-    csv(header.map(str::to_owned).collect(), rows)
+    format_csv(header.map(str::to_owned).collect(), rows)
 }

@@ -1,8 +1,8 @@
 //! The page table1.html: the table, with pictures of one seed.
 
-use super::super::super::words::counted;
-use super::super::wipings::{figure, heading, mean};
-use super::record::{Table1Record, columns, lead, papers};
+use super::super::super::words::format_count;
+use super::super::wipings::{find_heading, format_figure, format_mean};
+use super::record::{Table1Record, format_paper_figure, list_columns, write_lead};
 use crate::failure::Failure;
 use std::path::Path;
 use wisch::geometry::Point2;
@@ -37,15 +37,15 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
         let surface = tasks.iter().find(|(case, _)| *case == task);
         let picture = run.zip(surface).and_then(|(run, (_, task))| {
             let picture = run.score.picture.as_ref()?;
-            Some((wiped_surface(task, picture), caption(&run.score)))
+            Some((wiped_surface(task, picture), format_caption(&run.score)))
         });
         StrategyColumn {
             strategy: row.strategy.clone(),
-            figures: columns(&record.setup)
+            figures: list_columns(&record.setup)
                 .into_iter()
                 .map(|(quantity, paper)| ComparedFigure {
-                    ours: mean(&row.ours, quantity),
-                    paper: paper.map(|of| papers(row, of(&row.paper))),
+                    ours: format_mean(&row.ours, quantity),
+                    paper: paper.map(|of| format_paper_figure(row, of(&row.paper))),
                     is_strong: quantity == Quantity::Predicted && row.is_reached,
                 })
                 .collect(),
@@ -78,11 +78,11 @@ pub(super) fn page(record: &Table1Record) -> Result<String, Failure> {
         (format!("{reached} of {own}"), sentence.to_owned())
     });
     Ok(table1_page(&Table1Input {
-        lead: lead(record),
+        lead: write_lead(record),
         headline,
-        quantities: columns(&record.setup)
+        quantities: list_columns(&record.setup)
             .into_iter()
-            .map(|(quantity, _)| heading(quantity).0.to_owned())
+            .map(|(quantity, _)| find_heading(quantity).0.to_owned())
             .collect(),
         actions: actions.filter(|rows| !rows.surfaces.is_empty()).collect(),
         pictured: format!(
@@ -122,16 +122,16 @@ fn wiped_surface<'a>(task: &'a Task, picture: &Picture) -> WipedSurface<'a> {
 }
 
 /// The caption of a run's picture: its performance, and its costs.
-fn caption(score: &WipingScore) -> [String; 2] {
+fn format_caption(score: &WipingScore) -> [String; 2] {
     let outcome = match &score.execution {
-        Some(execution) => figure(Quantity::Truth, execution.truth) + " % true",
-        None => figure(Quantity::Predicted, score.predicted) + " %",
+        Some(execution) => format_figure(Quantity::Truth, execution.truth) + " % true",
+        None => format_figure(Quantity::Predicted, score.predicted) + " %",
     };
     let time = score.execution_s();
     let time = time.map_or_else(String::new, |time| {
-        format!(" · {} s", figure(Quantity::ExecutionS, time))
+        format!(" · {} s", format_figure(Quantity::ExecutionS, time))
     });
-    let distance = figure(Quantity::DistanceM, score.distance_m);
-    let lifts = counted(score.lifts, "lift");
+    let distance = format_figure(Quantity::DistanceM, score.distance_m);
+    let lifts = format_count(score.lifts, "lift");
     [outcome, format!("{distance} m · {lifts}{time}")]
 }

@@ -1,6 +1,6 @@
 //! The record of a Table 1 evaluation, and the parts that all its output formats share.
 
-use super::super::super::words::counted;
+use super::super::super::words::format_count;
 use super::super::Provenance;
 use serde::Serialize;
 use wisch_eval::{PaperFigures, Quantity, Table1Row, Table1Run, Table1Setup, WipingExtent};
@@ -21,7 +21,7 @@ pub(super) struct Table1Record {
 pub(super) type Column = (Quantity, Option<fn(&PaperFigures) -> f64>);
 
 /// Returns the columns for the extent of an evaluation.
-pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
+pub(super) fn list_columns(setup: &Table1Setup) -> Vec<Column> {
     let predicted: Column = (Quantity::Predicted, Some(|paper| paper.performance_percent));
     let mut columns = vec![predicted];
     if setup.extent != WipingExtent::Planned {
@@ -46,7 +46,7 @@ pub(super) fn columns(setup: &Table1Setup) -> Vec<Column> {
 }
 
 /// Formats a figure of the paper; in brackets if the paper does not have the strategy.
-pub(super) fn papers(row: &Table1Row, figure: f64) -> String {
+pub(super) fn format_paper_figure(row: &Table1Row, figure: f64) -> String {
     if row.is_papers_own {
         format!("{figure:.2}")
     } else {
@@ -54,7 +54,7 @@ pub(super) fn papers(row: &Table1Row, figure: f64) -> String {
     }
 }
 
-pub(super) fn lead(record: &Table1Record) -> String {
+pub(super) fn write_lead(record: &Table1Record) -> String {
     let settings = record.setup.settings.iter();
     format!(
         "{}{}: {}.",
@@ -62,6 +62,6 @@ pub(super) fn lead(record: &Table1Record) -> String {
         settings
             .map(|(key, value)| format!(", {key} = {value}"))
             .collect::<String>(),
-        counted(record.runs.len(), "run"),
+        format_count(record.runs.len(), "run"),
     )
 }

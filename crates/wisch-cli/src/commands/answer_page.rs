@@ -32,7 +32,7 @@ pub(super) fn draw(
     let mut view = view.map_err(|error| {
         Failure::new(error).with_help("wisch ask --list describes the predicates that draw")
     })?;
-    let recordings = recordings(&mut view, memory);
+    let recordings = read_recordings(&mut view, memory);
     let answers = answers_json(query, answers, Ok(&view), catalogue).to_string();
     let page = answers_page(query, &answers, &recordings);
     let written = file.finish(page.as_bytes());
@@ -42,7 +42,7 @@ pub(super) fn draw(
 
 /// Returns name and recording of each shown episode. An episode that cannot be read, or for which the page has no space,
 /// becomes a remark.
-fn recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
+fn read_recordings(view: &mut View, memory: &Memory) -> Vec<(String, Vec<u8>)> {
     let mut recordings = Vec::new();
     let mut space = MAX_RECORDINGS;
     for shown in &view.episodes {
