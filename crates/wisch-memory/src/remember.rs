@@ -145,7 +145,7 @@ fn action_values(
     rounds: usize,
 ) -> BTreeMap<String, Value> {
     let mut about = Individual::new("semco:WipingAction", None);
-    about.estimate(last.interpretation);
+    about.estimate(last.interpretation, last.motion.task.action);
     if let Some(truth) = last.simulated_performance {
         about.set_number("semco:simulatedPerformance", truth);
     }
@@ -226,7 +226,7 @@ fn describe(individual: &mut Individual, round: &EpisodeRound<'_>, target: f64) 
 
 /// Adds what the interpretation found.
 fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Interpretation) {
-    individual.estimate(interpretation);
+    individual.estimate(interpretation, task.action);
     let asked = task.interaction.contact_force();
     // The press force of a tool that hovers is 0.
     if asked > 0.0 {
@@ -536,13 +536,13 @@ impl Individual {
         }
     }
 
-    fn estimate(&mut self, interpretation: &Interpretation) {
-        let estimate = &interpretation.performance;
+    fn estimate(&mut self, interpretation: &Interpretation, action: Action) {
+        let [low, high] = interpretation.range(action);
         // A mean from a misread log would answer queries as if it were certain, so only its interval is stored.
         if interpretation.is_conclusive() {
-            self.set_number("semco:performance", estimate.mean);
+            self.set_number("semco:performance", interpretation.performance.mean);
         }
-        self.set_number("semco:performanceLow", estimate.low);
-        self.set_number("semco:performanceHigh", estimate.high);
+        self.set_number("semco:performanceLow", low);
+        self.set_number("semco:performanceHigh", high);
     }
 }

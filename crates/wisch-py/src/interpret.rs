@@ -3,13 +3,14 @@
 use crate::arrays::{self, Matrix, Vector, pose_array};
 use crate::error::plain;
 use crate::plan::PyPlan;
+use crate::telemetry::LoggedTouches;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
+use wisch::geometry::restore_pose;
 use wisch::interpret::{
-    Belief, Diagnosis, Estimate, InterpretConfig, InterpretError, Interpretation, Interpreter,
-    TouchSample, UnusableWrenches,
+    Belief, Diagnosis, InterpretConfig, InterpretError, Interpretation, Interpreter,
 };
 use wisch::plan::{PlanConfig, plan};
 use wisch::recover::next_task;
@@ -45,11 +46,10 @@ impl PyInterpretation {
     }
 
     /// Interprets samples of a task. The belief is that of the task's dirt, or its particles as certain positions.
-    pub fn of_samples(
+    pub fn of_log(
         py: Python<'_>,
         loaded: &LoadedTask,
-        samples: &[TouchSample],
-        unusable: UnusableWrenches,
+        log: &LoggedTouches,
         is_certain: bool,
     ) -> PyResult<Self> {
         let task = &loaded.task;
@@ -63,9 +63,12 @@ impl PyInterpretation {
                 loaded.belief()
             };
             let mut interpreter = Interpreter::new(task, &InterpretConfig::from_task(task))?;
-            interpreter.skip(unusable);
-            for sample in samples {
+            interpreter.skip(log.unusable);
+            for sample in &log.samples {
                 interpreter.push(sample)?;
+            }
+            for (time, pose) in &log.poses_alone {
+                interpreter.note_pose(*time, &restore_pose(pose));
             }
             interpreter.conclude(&believed, &goal)
         });
@@ -78,10 +81,6 @@ impl PyInterpretation {
     }
 }
 
-fn interval(estimate: &Estimate) -> (f64, f64) {
-    (estimate.low, estimate.high)
-}
-
 #[pymethods]
 impl PyInterpretation {
     /// Expected performance, 0 to 1.
@@ -90,10 +89,10 @@ impl PyInterpretation {
         self.estimate.performance.mean
     }
 
-    /// 90 % interval of the performance.
+    /// 90 % interval of the performance; wider if the log may lack a part of the wiping.
     #[getter]
     fn interval(&self) -> (f64, f64) {
-        interval(&self.estimate.performance)
+        self.estimate.range(self.task.action).into()
     }
 
     /// Performance by touch alone, without camera observations.

@@ -138,11 +138,11 @@ impl PyRound {
         self.round.interpretation.performance.mean
     }
 
-    /// 90 % interval of the performance.
+    /// 90 % interval of the performance; wider if the log may lack a part of the wiping.
     #[getter]
     fn interval(&self) -> (f64, f64) {
-        let estimate = &self.round.interpretation.performance;
-        (estimate.low, estimate.high)
+        let action = self.round.motion.task.action;
+        self.round.interpretation.range(action).into()
     }
 
     /// Duration of the executed motion.

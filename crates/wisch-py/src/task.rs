@@ -8,13 +8,12 @@ use crate::plan::PyPlan;
 use crate::robot::{PyRobot, warn_of};
 use crate::session::{Given, PROGRAM, PySession};
 use crate::task_text::{GivenFiles, TaskText};
-use crate::telemetry::{PyTelemetry, touches};
+use crate::telemetry::{LoggedTouches, PyTelemetry, touches};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use wisch::geometry::{PlanarPose, Point2};
-use wisch::interpret::UnusableWrenches;
 use wisch::plan::plan_from_strokes;
 use wisch::represent::{ScenePart, Task};
 use wisch::run::OwnStrategy;
@@ -492,17 +491,21 @@ impl PyTask {
         force_n: Option<&Bound<'_, PyAny>>,
         certain: bool,
     ) -> PyResult<PyInterpretation> {
-        let (samples, unusable) = match (log, time_s, world_from_tool, force_n) {
+        let log = match (log, time_s, world_from_tool, force_n) {
             (Some(log), None, None, None) => log.get().touches(py)?,
             (None, Some(times), Some(poses), Some(forces)) => {
-                (touches(times, poses, forces)?, UnusableWrenches::default())
+                let samples = touches(times, poses, forces)?;
+                LoggedTouches {
+                    samples,
+                    ..LoggedTouches::default()
+                }
             }
             _ => {
                 let wanted = "a log, or time_s, world_from_tool and force_n";
                 return Err(refused("interpret", "something else", wanted));
             }
         };
-        PyInterpretation::of_samples(py, &self.loaded, &samples, unusable, certain)
+        PyInterpretation::of_log(py, &self.loaded, &log, certain)
     }
 
     /// Plans for the task's particles as if their positions were certain, as `wisch eval table1` does. A session plans

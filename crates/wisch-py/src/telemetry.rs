@@ -90,8 +90,23 @@ pub struct PyTelemetry {
     efforts: Py<PyArray2<f64>>,
     /// How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each.
     remarks: Vec<String>,
-    /// Samples of a log that were left out because their wrench is stale, saturated or untared, or their pose frozen.
-    left_out: [usize; 4],
+    /// Samples of a log that were left out because their wrench or their pose is not usable.
+    /// In turn: stale, saturated, untared, with a frozen pose, without a pose.
+    left_out: [usize; 5],
+    /// Times [s] and poses of the tool before the first force and after the last; x, y, z [m] and the quaternion x, y, z, w.
+    poses_alone: Vec<(f64, [f64; 7])>,
+}
+
+/// Input for the interpreter.
+#[derive(Debug, Clone, Default)]
+pub struct LoggedTouches {
+    /// Poses and forces.
+    pub samples: Vec<TouchSample>,
+    /// Numbers of samples that were left out.
+    pub unusable: UnusableWrenches,
+    /// Times [s] and poses of the tool in the world without a force, before the first sample and after the last; x, y, z [m] and
+    /// the quaternion x, y, z, w.
+    pub poses_alone: Vec<(f64, [f64; 7])>,
 }
 
 impl PyTelemetry {
@@ -100,16 +115,17 @@ impl PyTelemetry {
         self.round == round
     }
 
-    /// Returns the samples as input for the interpreter, without those whose wrench is not usable, and their numbers.
-    pub fn touches(&self, py: Python<'_>) -> PyResult<(Vec<TouchSample>, UnusableWrenches)> {
+    /// Returns the input for the interpreter, without the samples whose wrench is not usable.
+    pub fn touches(&self, py: Python<'_>) -> PyResult<LoggedTouches> {
         let (times, poses, forces) = (&self.time_s, &self.world_from_tool, &self.force_n);
         let samples = touches(times.bind(py), poses.bind(py), forces.bind(py))?;
-        let [stale, saturated, untared, frozen_pose] = self.left_out;
+        let [stale, saturated, untared, frozen_pose, missing_pose] = self.left_out;
         let mut unusable = UnusableWrenches {
             stale,
             saturated,
             untared,
             frozen_pose,
+            missing_pose,
         };
         let qualities = self.qualities(py)?;
         let usable = samples.into_iter().zip(qualities).filter(|(_, quality)| {
@@ -117,7 +133,11 @@ impl PyTelemetry {
             quality.is_usable()
         });
         let usable = usable.map(|(sample, _)| sample).collect();
-        Ok((usable, unusable))
+        Ok(LoggedTouches {
+            samples: usable,
+            unusable,
+            poses_alone: self.poses_alone.clone(),
+        })
     }
 
     fn qualities(&self, py: Python<'_>) -> PyResult<Vec<WrenchQuality>> {
@@ -211,10 +231,14 @@ impl PyTelemetry {
             saturated,
             untared,
             frozen_pose,
+            missing_pose,
         } = log.unusable;
+        let poses_alone = log.poses_alone.iter();
+        let poses_alone = poses_alone.map(|(time, pose)| (*time, flatten_pose(pose)));
         let telemetry = Self {
             remarks,
-            left_out: [stale, saturated, untared, frozen_pose],
+            left_out: [stale, saturated, untared, frozen_pose, missing_pose],
+            poses_alone: poses_alone.collect(),
             ..Self::new(py, log.round.unwrap_or_default(), columns)
         };
         Py::new(py, telemetry)
@@ -245,7 +269,8 @@ impl PyTelemetry {
             velocities: rows(velocities, counts[1]),
             efforts: rows(efforts, counts[2]),
             remarks: Vec::new(),
-            left_out: [0; 4],
+            left_out: [0; 5],
+            poses_alone: Vec::new(),
         }
     }
 }

@@ -52,6 +52,8 @@ pub struct ArticulatedJoint {
     pub offset: f64,
     /// Pairs of an own variable and its factor.
     pub terms: Vec<(usize, f64)>,
+    /// Whether the joint is a variable itself, that of its only term. If not, it follows others, possibly with the factor 1.
+    pub is_variable: bool,
     /// Mass \[kg\], centre of mass and inertia about it, in the joint's frame, of all links from this joint up to the
     /// next moving ones.
     pub body: Body,
@@ -65,11 +67,6 @@ impl ArticulatedJoint {
 
     fn rate(&self, qd: &[f64]) -> f64 {
         self.terms.iter().map(|&(i, f)| f * qd[i]).sum()
-    }
-
-    /// Whether the joint is a variable itself and does not follow others.
-    pub fn is_variable(&self) -> bool {
-        self.offset == 0.0 && matches!(self.terms[..], [(_, 1.0)])
     }
 }
 
@@ -160,6 +157,7 @@ impl Articulation {
                 slides: joint.kind == JointKind::Prismatic,
                 offset,
                 terms: terms.filter_map(|&(i, f)| Some((own(i)?, f))).collect(),
+                is_variable: robot.variables().contains(&JointId(i)),
                 body: NOTHING,
             });
             carriers.push(Carrier {

@@ -1,6 +1,7 @@
 //! Forces and poses that do not change for a long time, because their sensor or its driver has
 //! stopped.
 
+use super::ros2::NANOSECONDS_PER_SECOND;
 use std::collections::BTreeMap;
 use wisch::geometry::{Pose, Vector3};
 
@@ -16,6 +17,17 @@ const LEAST_REPEATS: usize = 10;
 const LEAST_CHANGES: f64 = 0.8;
 /// Least share of the remaining forces in the log \[1\].
 const LEAST_OTHERS: f64 = 0.3;
+/// Least number of forces outside of long repetitions, and least share of them that differ from the one before \[1\], of a
+/// sensor with noise.
+const NOISY: (usize, f64) = (100, 0.98);
+/// Least number of measurements that are held, least median number of entries of each, share of the median by which this
+/// number may differ, and least share of the measurements for which it does not differ more \[1\].
+const LEAST_HELD: usize = 10;
+const LEAST_LENGTH: usize = 4;
+const HELD_SPREAD: f64 = 0.2;
+const MOSTLY_HELD: f64 = 0.8;
+/// Least period of such measurements \[ns\].
+const LEAST_PERIOD: i64 = 50_000_000;
 /// Longest time for which a pose repeats exactly while the force changes \[ns\]; least distance
 /// \[m\] and angle \[rad\] between this pose and the next one.
 const LONGEST_STILL: i64 = 1_000_000_000;
@@ -59,6 +71,13 @@ pub(crate) fn find_frozen_poses(poses: &[(i64, Pose)], forces: &[(i64, Vector3)]
     frozen
 }
 
+/// Whether forces without a pose change as much as if the tool touched the surface meanwhile. `all`: all forces of the log.
+pub(crate) fn shows_contact(alone: &[(i64, Vector3)], all: &[(i64, Vector3)]) -> bool {
+    let change = force_change(alone);
+    change > LEAST_ERRORS * standard_error(all)
+        && change > LEAST_FORCE_CHANGE[1] * force_change(all)
+}
+
 fn is_elsewhere(before: &Pose, after: &Pose) -> bool {
     let distance = (after.translation.vector - before.translation.vector).norm();
     distance > ELSEWHERE[0] || before.rotation.angle_to(&after.rotation) > ELSEWHERE[1]
@@ -93,7 +112,7 @@ fn force_change(forces: &[(i64, Vector3)]) -> f64 {
 ///
 /// A sensor that stops has worked before, and stops at a value of its noise or at zero. A force
 /// with which the log begins, or to which it returns, is that of an unloaded sensor with a coarse
-/// resolution or a dead band.
+/// resolution or a dead band; unless all other forces differ by noise.
 pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
     // A sum with zero has no negative zero.
     let bits = |force: &Vector3| [force.x, force.y, force.z].map(|part| (part + 0.0).to_bits());
@@ -105,8 +124,10 @@ pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
         *returns.entry(bits(&run[0].1)).or_default() += 1;
     }
     let mut frozen = Vec::new();
-    let (mut changes, mut others, mut zeros) = (0_usize, 0_usize, 0_usize);
+    let (mut changes, mut others, mut excluded) = (0_usize, 0_usize, 0_usize);
     let mut is_first = true;
+    let end = entries.last().map(|(time, _)| *time);
+    let is_noisy = is_noisy(entries);
     for run in entries.chunk_by(|a, b| a.1 == b.1) {
         let [first, last] = [run[0].0, run[run.len() - 1].0];
         let is_zero = run[0].1 == Vector3::zeros();
@@ -117,10 +138,12 @@ pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
         };
         let is_long = last - first > LONGEST_REPEAT && run.len() > LEAST_REPEATS;
         let is_sole = returns.get(&bits(&run[0].1)) == Some(&1);
-        if is_long && !is_first && is_sole && last - first > longest {
+        let has_stopped = is_noisy && Some(last) == end;
+        let had_not_begun = is_noisy && !is_zero;
+        if is_long && (!is_first || had_not_begun) && is_sole && last - first > longest {
             frozen.push([run[1].0, last]);
-            if is_zero {
-                zeros += run.len();
+            if is_zero || has_stopped || is_first {
+                excluded += run.len();
             }
         } else if !is_long {
             changes += 1;
@@ -128,13 +151,56 @@ pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
         }
         is_first = false;
     }
-    // A sensor may fail early in a log.
-    let all = entries.len() - zeros;
+    // A sensor may fail early in a log, or start late.
+    let all = entries.len() - excluded;
     let [changes, others, all] = [changes, others, all].map(|count| count as f64);
     if changes < LEAST_CHANGES * others || others < LEAST_OTHERS * all {
         frozen.clear();
     }
     frozen
+}
+
+/// Whether there are many forces outside of long repetitions, and hardly any equals the one before.
+fn is_noisy(entries: &[(i64, Vector3)]) -> bool {
+    let is_short = |run: &&[(i64, Vector3)]| {
+        run.len() <= LEAST_REPEATS || run[run.len() - 1].0 - run[0].0 <= LONGEST_REPEAT
+    };
+    let runs = entries.chunk_by(|a, b| a.1 == b.1).filter(is_short);
+    let (changes, others) = runs.fold((0, 0), |(changes, others), run| {
+        (changes + 1, others + run.len())
+    });
+    others >= NOISY.0 && changes as f64 >= NOISY.1 * others as f64
+}
+
+/// Returns the forces without the repetitions by a writer that holds each measurement until the next one, with the period of
+/// the measurements \[s\]; `None` if the forces are not held.
+pub(crate) fn find_held_forces(entries: &[(i64, Vector3)]) -> Option<(Vec<(i64, Vector3)>, f64)> {
+    let runs: Vec<&[(i64, Vector3)]> = entries.chunk_by(|a, b| a.1 == b.1).collect();
+    let [_, inner @ .., _] = &runs[..] else {
+        return None;
+    };
+    let mut lengths: Vec<usize> = inner.iter().map(|run| run.len()).collect();
+    lengths.sort_unstable();
+    let median = *lengths.get(lengths.len() / 2)?;
+    let allowed = (median as f64 * HELD_SPREAD).max(1.0);
+    let is_regular = |length: &&usize| (**length as f64 - median as f64).abs() <= allowed;
+    let regular = lengths.iter().filter(is_regular).count() as f64;
+    if inner.len() < LEAST_HELD
+        || median < LEAST_LENGTH
+        || regular < MOSTLY_HELD * inner.len() as f64
+    {
+        return None;
+    }
+    let mut steps: Vec<i64> = (runs.windows(2))
+        .map(|pair| pair[1][0].0 - pair[0][0].0)
+        .collect();
+    steps.sort_unstable();
+    let period = steps[steps.len() / 2];
+    if period < LEAST_PERIOD {
+        return None;
+    }
+    let measured = runs.iter().map(|run| run[0]).collect();
+    Some((measured, period as f64 / NANOSECONDS_PER_SECOND as f64))
 }
 
 #[cfg(test)]
@@ -172,11 +238,12 @@ mod tests {
             find_frozen(&forces(&[300, 100, 200], 0.0)).is_empty(),
             "without noise"
         );
-        let begins = forces(&[0, 100, 500], 1.0);
-        assert!(
-            find_frozen(&begins).is_empty(),
-            "before the sensor has worked"
-        );
+        let begins = forces(&[0, 100, 500], 0.0);
+        assert!(find_frozen(&begins).is_empty(), "without noise, at first");
+        let late = forces(&[0, 900, 500], 1.0);
+        assert_eq!(find_frozen(&late), [[10_000_000, 8_990_000_000]]);
+        let early = forces(&[300, 1700], 1.0);
+        assert_eq!(find_frozen(&early), [[3_010_000_000, 19_990_000_000]]);
         let returns = forces(&[300, 100, 100, 100, 100], 1.0);
         assert!(find_frozen(&returns).is_empty(), "a coarse resolution");
         let mut rests = forces(&[300, 100, 200], 1.0);
@@ -232,6 +299,28 @@ mod tests {
         assert_eq!(ends, [[4_010_000_000, 13_990_000_000]]);
         let (poses, forces) = rest(0.1, [0.0, 0.0]);
         assert_eq!(find_frozen_poses(&poses[..1400], &forces[..1400]), nothing);
+    }
+
+    #[test]
+    fn forces_that_a_writer_holds_count_once() {
+        let noisy = forces(&[2000], 1.0);
+        assert_eq!(find_held_forces(&noisy), None);
+        let held = |every: usize| -> Vec<(i64, Vector3)> {
+            (0..noisy.len())
+                .map(|k| (noisy[k].0, noisy[k / every * every].1))
+                .collect()
+        };
+        for every in [10, 25, 100] {
+            let (measured, period) = find_held_forces(&held(every)).unwrap();
+            assert_eq!(measured.len(), noisy.len() / every);
+            assert!((period - every as f64 / 100.0).abs() < 1e-9, "{period}");
+        }
+        assert_eq!(find_held_forces(&held(2)), None, "20 ms are no long time");
+        // A sensor of coarse resolution repeats its values for other times.
+        let coarse = noisy
+            .iter()
+            .map(|(time, force)| (*time, force.map(f64::round)));
+        assert_eq!(find_held_forces(&coarse.collect::<Vec<_>>()), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::bag::{BagReader, FRAME_SURFACE, FRAME_WORLD, active_path};
 use super::correction::Correction;
 use super::error::{ReadError, ReadFault, RecordingKind};
 use super::frames::Chain;
-use super::frozen::{find_frozen, find_frozen_poses};
+use super::frozen::{find_frozen, find_frozen_poses, find_held_forces, shows_contact};
 use super::options::{Axes, AxesChoice, LogOptions, WrenchSign};
 use super::plausibility::doubts;
 use super::quantity::QuantityError;
@@ -37,6 +37,9 @@ pub enum AxesSource {
 pub struct Log {
     /// Tool poses and forces in the task's world; time counts from `start`.
     pub samples: Vec<TouchSample>,
+    /// Times \[s\] and poses of the tool in the task's world before the first force and after the last; empty if the forces
+    /// cover the poses up to a second.
+    pub poses_alone: Vec<(f64, Pose)>,
     /// Numbers of samples that are left out because their wrench is not usable.
     pub unusable: UnusableWrenches,
     /// The log's time at which the samples' time is 0 \[ns\].
@@ -78,6 +81,8 @@ pub struct Log {
     pub is_unfinished: bool,
 }
 
+/// Longest time by which poses and forces may begin or end apart without a remark \[ns\].
+const LONGEST_ALONE: i64 = 1_000_000_000;
 /// Number of gaps that [`Log::describe_reading`] lists one by one.
 const GAPS_SHOWN: usize = 5;
 
@@ -261,6 +266,8 @@ fn list_parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     }
     if parts.is_empty() {
         parts = others;
+    } else {
+        check_parts(path, &parts)?;
     }
     // Recorders number the parts without leading zeros: bag_2 before bag_10.
     parts.sort_by_key(|path| (path.as_os_str().len(), path.clone()));
@@ -271,6 +278,38 @@ fn list_parts(path: &Path) -> std::io::Result<Vec<PathBuf>> {
         ));
     }
     Ok(parts)
+}
+
+/// Checks that the folder of a bag holds all parts that its metadata name.
+fn check_parts(folder: &Path, parts: &[PathBuf]) -> std::io::Result<()> {
+    let Ok(metadata) = std::fs::read_to_string(folder.join("metadata.yaml")) else {
+        return Ok(());
+    };
+    let stem = |name: &str| {
+        let end = name.find(".mcap").unwrap_or(name.len());
+        name[..end].to_owned()
+    };
+    let known: Vec<String> = (parts.iter())
+        .filter_map(|part| Some(stem(part.file_name()?.to_str()?)))
+        .collect();
+    let lines = metadata.lines().map(str::trim);
+    let names = lines
+        .skip_while(|line| *line != "relative_file_paths:")
+        .skip(1);
+    let names = names.map_while(|line| line.strip_prefix("- "));
+    let mut names = names.map(|name| name.trim_matches(['"', '\'']));
+    let missing = names.find(|name| {
+        let last = name.rsplit('/').next().unwrap_or(name);
+        last.contains(".mcap") && !known.contains(&stem(last))
+    });
+    missing.map_or(Ok(()), |name| {
+        Err(std::io::Error::new(
+            ErrorKind::NotFound,
+            format!(
+                "metadata.yaml names the part {name}, which is missing: copy it into the folder, or read one part by its own path"
+            ),
+        ))
+    })
 }
 
 fn has_bag_ending(path: &Path) -> bool {
@@ -333,6 +372,14 @@ fn combine(
     } else {
         None
     };
+    let held = find_held_forces(&raw.wrenches.entries);
+    let held = held.map(|(measured, period)| {
+        raw.wrenches.entries = measured;
+        format!(
+            "{} repeats each measurement until the next one, {period:.2} s later: only the first of equal forces is used",
+            raw.wrenches.name
+        )
+    });
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let first = pairs[0].0;
     let world = World::of(&raw, options)?;
@@ -387,6 +434,7 @@ fn combine(
         .iter()
         .cloned()
         .chain(spikes.map(|found| found.describe(start, force_unit, options.max_gap)))
+        .chain(held)
         .chain(saturated.iter().map(|found| found.describe(force_unit)))
         .chain(raw.frames.remark_on_changes())
         .chain(correction.remarks)
@@ -396,7 +444,15 @@ fn combine(
         start,
         remarks,
         gaps: gaps(&samples, options.max_gap),
-        unpaired: frequent - samples.len() - unusable.count(),
+        poses_alone: find_poses_alone(&raw, &poses)
+            .map(|(time, pose)| {
+                (
+                    seconds(time.saturating_sub(start)),
+                    pose * options.logged_from_tool,
+                )
+            })
+            .collect(),
+        unpaired: frequent.saturating_sub(samples.len() + unusable.count()),
         samples,
         unusable,
         pose_name: raw.poses.name.clone(),
@@ -444,6 +500,17 @@ fn leave_out_unusable(
         .copied()
         .collect();
     let frozen_poses = find_frozen_poses(poses, &usable);
+    let [from, to] = ends(&raw.poses.entries);
+    let [before, after] = [
+        &usable[..usable.partition_point(|(time, _)| *time < from)],
+        &usable[usable.partition_point(|(time, _)| *time <= to)..],
+    ];
+    for alone in [before, after] {
+        let [from, to] = ends(alone);
+        if to - from > LONGEST_ALONE && shows_contact(alone, &usable) {
+            unusable.missing_pose += alone.len();
+        }
+    }
     pairs.retain(|(time, ..)| {
         let is_frozen = covers(&frozen, *time);
         let quality = match raw.quality_at(*time) {
@@ -459,6 +526,23 @@ fn leave_out_unusable(
         quality.is_usable() && !has_frozen_pose
     });
     (unusable, saturated)
+}
+
+/// Returns the poses before the first force and after the last, with their times \[ns\]. `poses`: in the world.
+fn find_poses_alone<'a>(
+    raw: &RawLog,
+    poses: &'a [(i64, Pose)],
+) -> impl Iterator<Item = (i64, Pose)> + 'a {
+    let [from, to] = ends(&raw.wrenches.entries);
+    let is_alone = move |time: i64| time < from - LONGEST_ALONE || time > to + LONGEST_ALONE;
+    let has_long = poses.iter().any(|(time, _)| is_alone(*time));
+    (poses.iter().copied()).filter(move |(time, _)| has_long && (*time < from || *time > to))
+}
+
+/// Returns the first and the last time of a track, which has entries \[ns\].
+fn ends<T>(entries: &[(i64, T)]) -> [i64; 2] {
+    let time = |entry: Option<&(i64, T)>| entry.map_or(0, |entry| entry.0);
+    [time(entries.first()), time(entries.last())]
 }
 
 /// Names the source of the transforms, for remarks.

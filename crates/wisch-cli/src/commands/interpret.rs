@@ -386,6 +386,9 @@ fn interpret_samples(
         for sample in &log.samples {
             interpreter.push(sample)?;
         }
+        for (time, world_from_tool) in &log.poses_alone {
+            interpreter.note_pose(*time, world_from_tool);
+        }
         interpreter.conclude(believed, goal)
     };
     interpreted().map_err(|error| {

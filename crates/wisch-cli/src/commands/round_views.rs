@@ -13,12 +13,8 @@ pub fn rounds_in_words(finished: &[FinishedRound], target: f64) -> Vec<(&'static
             let round = &finished.round;
             let interpretation = &round.interpretation;
             let estimate = &interpretation.performance;
-            let most = if interpretation.is_lower_bound() {
-                1.0
-            } else {
-                estimate.high
-            };
-            let interval = format!("{} to {}", percent(estimate.low), percent(most));
+            let [least, most] = interpretation.range(round.motion.task.action);
+            let interval = format!("{} to {}", percent(least), percent(most));
             let mut text = if interpretation.is_conclusive() {
                 format!("estimated {} ({interval})", percent(estimate.mean))
             } else {

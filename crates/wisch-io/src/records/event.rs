@@ -187,12 +187,12 @@ impl<W: Write> EventWriter<W> {
                 hidden_m2: observation.hidden.area() + 0.0,
             },
             RunEvent::Decided(round) => {
-                let estimate = &round.interpretation.performance;
+                let [low, high] = round.interpretation.range(round.motion.task.action);
                 RunEventRecord::Decided {
                     round: round.motion.number,
-                    estimated: estimate.mean,
-                    estimated_low: estimate.low,
-                    estimated_high: estimate.high,
+                    estimated: round.interpretation.performance.mean,
+                    estimated_low: low,
+                    estimated_high: high,
                     ending: round.execution.ending.as_str(),
                     verdict: round.verdict.as_str(),
                 }

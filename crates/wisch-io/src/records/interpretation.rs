@@ -5,7 +5,7 @@ use serde::Serialize;
 use wisch::interpret::{
     ContactResidual, Diagnosis, Event, EventKind, FittedPlane, Interpretation, ShapeFit,
 };
-use wisch::recover::{Claim, Verdict, assess_log, find_excess_passes, limit_by_max_passes};
+use wisch::recover::{Claim, Verdict, assess_log, find_excess_passes, limit_verdict};
 
 /// Value of `format` in the record.
 pub const INTERPRETATION_FORMAT: &str = "wisch-interpretation";
@@ -25,9 +25,9 @@ pub struct InterpretationRecord {
     pub action: String,
     /// Estimated performance: share of the particles that have reached the goal, mean over the replays.
     pub estimated: f64,
-    /// Its 5th percentile.
+    /// Its 5th percentile; 0 if the log may lack a part of the wiping, which may have undone the goal.
     pub estimated_low: f64,
-    /// Its 95th percentile; 1 if the log begins or ends in contact, because more may have been wiped.
+    /// Its 95th percentile; 1 if the log may lack a part of the wiping, because more may have been wiped.
     pub estimated_high: f64,
     /// Share that meets the goal.
     pub target_performance: f64,
@@ -195,7 +195,7 @@ impl InterpretationRecord {
         target_performance: f64,
         log: LogRecord,
     ) -> Self {
-        let performance = interpretation.performance;
+        let [low, high] = interpretation.range(task.action);
         let is_collision = |event: &&Event| event.kind == EventKind::Push;
         let (verdict, reason) = verdict(task, interpretation, target_performance);
         Self {
@@ -203,9 +203,9 @@ impl InterpretationRecord {
             schema: SCHEMA,
             task: task.name.clone(),
             action: task.action.to_string(),
-            estimated: performance.mean,
-            estimated_low: performance.low,
-            estimated_high: highest(interpretation),
+            estimated: interpretation.performance.mean,
+            estimated_low: low,
+            estimated_high: high,
             target_performance,
             goal_met: verdict == "met",
             verdict,
@@ -246,15 +246,6 @@ impl InterpretationRecord {
             events: interpretation.events.iter().map(EventRecord::new).collect(),
             log,
         }
-    }
-}
-
-/// Upper end of the interval of the performance; 1 for a log that may lack a part of the wiping.
-pub(super) fn highest(interpretation: &Interpretation) -> f64 {
-    if interpretation.is_lower_bound() {
-        1.0
-    } else {
-        interpretation.performance.high
     }
 }
 
@@ -320,7 +311,7 @@ fn verdict(
 ) -> (&'static str, String) {
     let claim = Claim::assess(&interpretation.distribution, target).to_string();
     let assessed = assess_log(interpretation, target);
-    match limit_by_max_passes(assessed, task, interpretation, target) {
+    match limit_verdict(assessed, task, interpretation, target) {
         Verdict::NothingToGain => {
             let certain = find_excess_passes(task, interpretation, target);
             let share = certain.map_or_else(
@@ -338,8 +329,20 @@ fn verdict(
             let decisive = (interpretation.doubts.iter())
                 .filter(|doubt| doubt.is_decisive() || doubt.is_cut());
             let causes: Vec<String> = decisive.map(ToString::to_string).collect();
-            let is_open = causes.is_empty();
-            ("unknown", if is_open { claim } else { causes.join("; ") })
+            let mut reason = if causes.is_empty() {
+                claim
+            } else {
+                causes.join("; ")
+            };
+            if assessed == Verdict::GoalMet {
+                reason += "; in this time the tool may have ";
+                reason += match task.action {
+                    wisch::represent::Action::Collect => "pushed dirt out of the goal",
+                    wisch::represent::Action::Dispense => "coated points too thickly",
+                    _ => "polished points too often",
+                };
+            }
+            ("unknown", reason)
         }
         Verdict::UnknowableByTouch if assessed == Verdict::GoalMet => {
             let reason = format!(

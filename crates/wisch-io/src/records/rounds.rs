@@ -1,6 +1,5 @@
 //! Summaries of the rounds of a run for `--json`.
 
-use super::interpretation::highest;
 use super::warning::WarningRecord;
 use serde::Serialize;
 use wisch::interpret::EventKind;
@@ -165,6 +164,7 @@ impl RoundSummary {
         true_performance: Option<f64>,
     ) -> Self {
         let interpretation = &round.interpretation;
+        let [low, high] = interpretation.range(round.motion.task.action);
         let executed = round.executed_motion();
         let collisions = (interpretation.events.iter()).filter(|e| e.kind == EventKind::Push);
         let collision_times_s: Vec<[f64; 2]> =
@@ -175,8 +175,8 @@ impl RoundSummary {
             predicted: round.motion.prediction.performance.ratio(),
             estimated: interpretation.performance.mean,
             is_conclusive: interpretation.is_conclusive(),
-            estimated_low: interpretation.performance.low,
-            estimated_high: highest(interpretation),
+            estimated_low: low,
+            estimated_high: high,
             estimated_by_touch: interpretation.by_touch.mean,
             detections: interpretation
                 .observation

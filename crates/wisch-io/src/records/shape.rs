@@ -183,8 +183,8 @@ pub struct BendContactRecord {
     pub pressure_least: f64,
     /// Largest pressure over the nominal one.
     pub pressure_most: f64,
-    /// Length across the bend of the longest rectangular tool that would touch everywhere.
-    pub fitting_length_m: f64,
+    /// Length across the bend of the longest rectangular tool that would touch everywhere; `None` if any length would.
+    pub fitting_length_m: Option<f64>,
     /// Compression at nominal force that is assumed.
     pub compression_m: f64,
 }
@@ -197,7 +197,7 @@ impl BendContactRecord {
             touched_share_most: contact.touched_share[1],
             pressure_least: contact.pressure[0],
             pressure_most: contact.pressure[1],
-            fitting_length_m: contact.fitting_length,
+            fitting_length_m: Some(contact.fitting_length).filter(|length| length.is_finite()),
             compression_m: contact.compression,
         })
     }
@@ -207,7 +207,7 @@ impl BendContactRecord {
         BendContact {
             touched_share: [self.touched_share_least, self.touched_share_most],
             pressure: [self.pressure_least, self.pressure_most],
-            fitting_length: self.fitting_length_m,
+            fitting_length: self.fitting_length_m.unwrap_or(f64::INFINITY),
             compression: self.compression_m,
         }
     }

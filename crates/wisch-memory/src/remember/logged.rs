@@ -4,7 +4,7 @@ use super::log::Span;
 use super::{EpisodeHeader, RoundContext, class_of, describe_touch, goal_of, state_of, things_of};
 use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin};
 use wisch::interpret::Interpretation;
-use wisch::recover::{Verdict, assess_log, limit_by_max_passes};
+use wisch::recover::{Verdict, assess_log, limit_verdict};
 use wisch::represent::{GoalState, Task};
 
 /// Index of the only round in the record.
@@ -49,12 +49,12 @@ pub fn remember_log(
 ) -> EpisodeRecord {
     let during = [header.start, header.start + duration];
     let verdict = assess_log(interpretation, header.target);
-    let verdict = limit_by_max_passes(verdict, task, interpretation, header.target);
+    let verdict = limit_verdict(verdict, task, interpretation, header.target);
     let mut episode = Individual::new("semco:WipingEpisode", None);
     episode.set_text("semco:taskName", &task.name);
     episode.set_number("semco:seed", header.seed as f64);
     let mut action = Individual::new("semco:WipingAction", Some(0));
-    action.estimate(interpretation);
+    action.estimate(interpretation, task.action);
     action.set_text("semco:verdict", verdict_text(verdict));
     action.set_number("semco:target", header.target);
     action.set_number("semco:rounds", 1.0);

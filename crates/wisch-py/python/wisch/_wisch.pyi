@@ -519,7 +519,7 @@ class Round:
         """Expected performance, 0 to 1."""
     @property
     def interval(self) -> tuple[float, float]:
-        """90 % interval of the performance."""
+        """90 % interval of the performance; wider if the log may lack a part of the wiping."""
     @property
     def duration_s(self) -> float:
         """Duration of the executed motion."""
@@ -583,7 +583,10 @@ class Telemetry:
         """How a log was read: assumptions, transforms, samples that were left out, gaps; a sentence each."""
     @property
     def left_out(self) -> list[int]:
-        """Samples of a log that were left out because their wrench is stale, saturated or untared, or their pose frozen."""
+        """Numbers of samples of a log that were left out because their wrench is stale, saturated or untared, or their pose frozen or missing."""
+    @property
+    def poses_alone(self) -> list[tuple[float, list[float]]]:
+        """Times [s] and poses of the tool in the world before the first force and after the last, x, y, z [m] and quaternion x, y, z, w."""
     def __len__(self) -> int: ...
 
 class Interpretation:
@@ -593,7 +596,7 @@ class Interpretation:
         """Expected performance, 0 to 1."""
     @property
     def interval(self) -> tuple[float, float]:
-        """90 % interval of the performance."""
+        """90 % interval of the performance; wider if the log may lack a part of the wiping."""
     @property
     def performance_by_touch(self) -> float:
         """Expected performance by touch alone, without camera observations, 0 to 1."""

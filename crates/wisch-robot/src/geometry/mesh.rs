@@ -2,7 +2,7 @@
 
 mod collada;
 mod height_field;
-mod obj_faces;
+mod obj;
 mod ply;
 mod read;
 

@@ -152,7 +152,7 @@ impl Plant {
             return;
         };
         for (i, joint) in self.articulation.joints().iter().enumerate() {
-            if joint.is_variable() {
+            if joint.is_variable {
                 let variable = joint.terms[0].0;
                 if compliant.contains(&variable) {
                     if let (true, Some(link)) =
@@ -200,7 +200,7 @@ impl Plant {
         };
         let velocities = multibody.generalized_velocity();
         for (link, joint) in self.links.iter().zip(self.articulation.joints()) {
-            if !joint.is_variable() {
+            if !joint.is_variable {
                 continue;
             }
             let variable = joint.terms[0].0;
@@ -234,7 +234,7 @@ impl Plant {
         }
         self.couple(state, joint_efforts);
         for (i, joint) in self.articulation.joints().iter().enumerate() {
-            if joint.is_variable() {
+            if joint.is_variable {
                 let variable = joint.terms[0].0;
                 joint_efforts[i] += match compliant.iter().position(|&c| c == variable) {
                     Some(k) => efforts[k],
@@ -269,7 +269,7 @@ impl Plant {
             return;
         };
         for (link, joint) in self.links.iter().zip(self.articulation.joints()) {
-            if !joint.is_variable() {
+            if !joint.is_variable {
                 continue;
             }
             let variable = joint.terms[0].0;
@@ -321,7 +321,7 @@ impl Plant {
         let joints = self.articulation.joints().iter();
         joints
             .enumerate()
-            .find(|(_, joint)| joint.is_variable() && joint.terms[0].0 == variable)
+            .find(|(_, joint)| joint.is_variable && joint.terms[0].0 == variable)
             .map(|(i, _)| i)
     }
 }
@@ -340,7 +340,7 @@ fn coupled_inertia(articulation: &Articulation, mass: &DMatrix<f64>, follower: u
     let mut gap = DVector::zeros(mass.nrows());
     gap[follower] = 1.0;
     for &(variable, factor) in &articulation.joints()[follower].terms {
-        let leads = |j: &ArticulatedJoint| j.is_variable() && j.terms[0].0 == variable;
+        let leads = |j: &ArticulatedJoint| j.is_variable && j.terms[0].0 == variable;
         if let Some(leader) = articulation.joints().iter().position(leads) {
             gap[leader] -= factor;
         }

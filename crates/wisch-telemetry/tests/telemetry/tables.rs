@@ -608,3 +608,68 @@ fn outliers_of_the_force_are_left_out_and_reported() {
         log.remarks
     );
 }
+
+/// Returns a table of poses and forces, with either left out where `has` says so at a time [s].
+fn with_holes(has: impl Fn(f64) -> [bool; 2]) -> String {
+    let noise = |t: f64| 0.3 * (1e4 * t).sin();
+    table("t,x,y,z,qx,qy,qz,qw,fx,fy,fz", |t, x| {
+        let [has_pose, has_force] = has(t);
+        let pose = format!("{x},0,0.8,0,0,0,1");
+        let press = if t.rem_euclid(4.0) < 2.0 { 0.0 } else { 10.0 };
+        let force = format!("{},{},{}", noise(t), noise(t + 0.3), press + noise(t + 0.7));
+        let pose = if has_pose { &pose } else { ",,,,,," };
+        let force = if has_force { &force } else { ",," };
+        format!("{t},{pose},{force}")
+    })
+}
+
+#[test]
+fn poses_beyond_the_forces_are_kept_apart() {
+    let options = LogOptions::default();
+    let whole = read_text(&with_holes(|_| [true; 2]), &options);
+    assert_eq!(whole.poses_alone, []);
+    let shorter = read_text(&with_holes(|t| [true, t < 9.5]), &options);
+    assert_eq!(shorter.poses_alone, [], "half a second is nothing");
+    let kept: [fn(f64) -> bool; 2] = [|t| t < 4.0, |t| t > 4.0];
+    for has_force in kept {
+        let log = read_text(&with_holes(|t| [true, has_force(t)]), &options);
+        assert_eq!(log.poses_alone.len() + log.samples.len(), COUNT);
+        let first = log.samples[0].world_from_tool.translation.x;
+        for (time, pose) in &log.poses_alone {
+            assert!((pose.translation.x - first - 0.1 * time).abs() < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn forces_of_contact_beyond_the_poses_are_counted() {
+    let options = LogOptions::default();
+    let lost = |until: f64| {
+        let log = read_text(&with_holes(|t| [t < until, true]), &options);
+        log.unusable.missing_pose
+    };
+    assert_eq!(lost(11.0), 0);
+    assert_eq!(lost(8.5), 0, "in the air");
+    assert_eq!(lost(5.0), COUNT - 125);
+}
+
+#[test]
+fn a_folder_that_lacks_a_part_of_its_bag_is_refused() {
+    let (folder, path) = in_folder();
+    super::write_shown(&path, 50.0);
+    let name = path.file_name().unwrap().to_str().unwrap();
+    let metadata = |other: &str| {
+        let text = format!(
+            "rosbag2_bagfile_information:\n  relative_file_paths:\n    - {name}\n    - {other}\n  message_count: 3\n"
+        );
+        fs::write(folder.path().join("metadata.yaml"), text).unwrap();
+    };
+    metadata(name);
+    read(folder.path(), &LogOptions::default()).unwrap();
+    metadata("wipe_1.mcap");
+    let message = refused(folder.path(), &LogOptions::default());
+    assert!(
+        message.contains("names the part wipe_1.mcap, which is missing"),
+        "{message}"
+    );
+}

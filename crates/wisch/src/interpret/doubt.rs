@@ -187,7 +187,7 @@ pub enum Doubt {
         begins: bool,
         /// Whether it ends while the tool presses.
         ends: bool,
-        /// Time without samples in which the tool may have wiped \[s\].
+        /// Time without samples, or with poses but without forces, in which the tool may have wiped \[s\].
         missing: f64,
     },
     /// The pose jumps faster than any tool moves.

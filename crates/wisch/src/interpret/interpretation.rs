@@ -5,7 +5,7 @@ use super::contact::{ContactResidual, FittedPlane, PathPiece, ShapeFit, ToolStif
 use super::doubt::Doubt;
 use super::events::Event;
 use crate::geometry::Pose;
-use crate::represent::{GoalState, Observation};
+use crate::represent::{Action, GoalState, Observation};
 
 /// Probability that the performance is unknown if an observation contradicts the number of particles [1].
 const UNKNOWN_SHARE: f64 = 0.5;
@@ -97,6 +97,20 @@ impl Interpretation {
     /// Whether the tool may have wiped more than the log shows, and no observation decides: the estimate is a lower bound.
     pub fn is_lower_bound(&self) -> bool {
         self.observation.is_none() && self.doubts.iter().any(Doubt::is_cut)
+    }
+
+    /// Returns the least and the largest performance of an action: the ends of the 90 % interval, or the ends that wiping outside
+    /// the log leaves possible if the estimate [is a lower bound](Self::is_lower_bound) \[1\].
+    ///
+    /// Such wiping may have reached everything. It may also have pushed dirt out of the goal of a collect, or coated points too
+    /// thickly. The performance of a polish counts points with enough passes, which stay.
+    pub fn range(&self, action: Action) -> [f64; 2] {
+        let Estimate { low, high, .. } = self.performance;
+        if !self.is_lower_bound() {
+            return [low, high];
+        }
+        let stays = action.is_lasting() || action == Action::Polish;
+        [if stays { low } else { 0.0 }, 1.0]
     }
 
     /// Adds a doubt about the data of the log. After a decisive doubt, the performance counts as

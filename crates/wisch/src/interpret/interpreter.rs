@@ -8,7 +8,7 @@ use super::contact::{
     TouchSample, find_early_tare, find_stiffness, interpolate_held_poses, level_leaning_tool,
     median, middle,
 };
-use super::doubt::Doubt;
+use super::doubt::{Doubt, NEAR};
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::fast_turns::find_fast_turns;
@@ -27,6 +27,13 @@ const SETTLING: f64 = 0.5;
 /// Largest force of an event over a lasting change of the bias that explains it [1]: the change is that of medians, and
 /// the bias goes on drifting.
 const BIAS_FORCE: f64 = 1.5;
+/// Largest distance from the found surface at which a tool without measured force counts as sliding on it [m].
+const ON_SURFACE: f64 = 5e-3;
+/// Least time between two poses without a force that are kept, and largest time between two that follow each other [s].
+const BETWEEN_POSES: f64 = 0.02;
+const LONGEST_BETWEEN: f64 = 0.5;
+/// Least travel on the surface without a force that may have wiped [m].
+const LEAST_SLIDING: f64 = 0.02;
 
 /// Interpreter of a log that takes sample by sample in bounded memory, and interprets at any time what it has so far.
 ///
@@ -110,6 +117,8 @@ pub struct Interpreter {
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
+    /// Times [s] and places, in the chart of the believed surface, of poses without a force.
+    poses_alone: Vec<(f64, Point3)>,
 }
 
 impl Interpreter {
@@ -130,6 +139,7 @@ impl Interpreter {
             downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
             unusable: UnusableWrenches::default(),
+            poses_alone: Vec::new(),
         })
     }
 
@@ -150,6 +160,19 @@ impl Interpreter {
         self.unusable.saturated += unusable.saturated;
         self.unusable.untared += unusable.untared;
         self.unusable.frozen_pose += unusable.frozen_pose;
+        self.unusable.missing_pose += unusable.missing_pose;
+    }
+
+    /// Notes the pose of the tool in the world at a time without a force \[s\], before the first sample or after the last, in the
+    /// order of the times. If the tool slid on the surface at such times, the estimate is a lower bound, and a [`Doubt`] states
+    /// for how long.
+    pub fn note_pose(&mut self, time: f64, world_from_tool: &Pose) {
+        let is_due = (self.poses_alone.last()).is_none_or(|(last, _)| time - last >= BETWEEN_POSES);
+        if is_due {
+            let tool = self.surface.chart_from_tool(world_from_tool);
+            self.poses_alone
+                .push((time, tool.translation.vector.into()));
+        }
     }
 
     /// Interprets the samples so far. The result holds contacts, plane, events and doubts, and the
@@ -434,6 +457,7 @@ impl Interpreter {
             config: &config,
         };
         let mut doubts = evidence.doubts();
+        self.count_sliding_without_force(&classified, &mut doubts);
         doubts.extend(corrections);
         doubts.extend(reading.moved_mass().map(|mass| Doubt::Inertia { mass }));
         // In a wrong unit of length, a tool that moves jumps.
@@ -494,6 +518,43 @@ impl Interpreter {
             doubts.push(Doubt::TaredEarly { time, change });
         }
         (pieces, doubts)
+    }
+
+    /// Adds the time in which the tool slid on the surface without a force to the doubt about an incomplete log.
+    fn count_sliding_without_force(&self, classified: &ClassifiedPath, doubts: &mut Vec<Doubt>) {
+        let height = |place: &Point3| match (&classified.registration, &classified.plane) {
+            (Some(fit), _) => fit.to_fitted_chart(&self.surface.shape, place).z,
+            (None, Some((plane, _))) => plane.distance(*place),
+            (None, None) => place.z,
+        };
+        let is_known = classified.registration.is_some() || classified.plane.is_some();
+        let near = if is_known { ON_SURFACE } else { NEAR };
+        let is_on = |place: &Point3| {
+            height(place).abs() <= near && self.surface.outline.contains(place.xy())
+        };
+        let (mut time, mut travel) = (0.0, 0.0);
+        for pair in self.poses_alone.windows(2) {
+            let [(start, from), (end, to)] = [&pair[0], &pair[1]];
+            if end - start <= LONGEST_BETWEEN && is_on(from) && is_on(to) {
+                time += end - start;
+                travel += (to - from).xy().norm();
+            }
+        }
+        if travel < LEAST_SLIDING {
+            return;
+        }
+        let known = doubts.iter_mut().find_map(|doubt| match doubt {
+            Doubt::Incomplete { missing, .. } => Some(missing),
+            _ => None,
+        });
+        match known {
+            Some(missing) => *missing += time,
+            None => doubts.push(Doubt::Incomplete {
+                begins: false,
+                ends: false,
+                missing: time,
+            }),
+        }
     }
 
     fn find_unusable(&self) -> Option<Doubt> {

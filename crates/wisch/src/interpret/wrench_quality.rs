@@ -45,6 +45,8 @@ pub struct UnusableWrenches {
     pub untared: usize,
     /// Measurements whose pose repeats an earlier one although the force changes.
     pub frozen_pose: usize,
+    /// Measurements before the first pose or after the last, with forces that change as in contact.
+    pub missing_pose: usize,
 }
 
 impl UnusableWrenches {
@@ -73,7 +75,7 @@ impl UnusableWrenches {
 
     /// Number of all these samples.
     pub const fn count(&self) -> usize {
-        self.stale + self.saturated + self.untared + self.frozen_pose
+        self.stale + self.saturated + self.untared + self.frozen_pose + self.missing_pose
     }
 }
 

@@ -10,5 +10,5 @@ pub use next_task::{
 pub use verdict::{
     Claim, FALSE_CLAIM_MARGIN, MAX_FALSE_CLAIM_PROBABILITY, MIN_PROGRESS, Pace, RoundOutcome,
     TerminationPolicy, Verdict, assess_goal, assess_log, exceeds_max_passes, find_excess_passes,
-    is_claimable, limit_by_max_passes, may_exceed_max_passes,
+    is_claimable, limit_verdict, may_be_undone, may_exceed_max_passes,
 };

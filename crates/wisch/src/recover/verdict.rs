@@ -1,6 +1,6 @@
 //! The verdict on a round: whether the goal is met, and what happens next.
 
-use crate::interpret::{Belief, Diagnosis, Interpretation, PerformanceDistribution};
+use crate::interpret::{Belief, Diagnosis, Doubt, Interpretation, PerformanceDistribution};
 use crate::represent::Task;
 use std::fmt;
 
@@ -205,13 +205,24 @@ pub fn may_exceed_max_passes(task: &Task, belief: &Belief, target: f64) -> bool 
     far_above.map(|(_, weight)| weight).sum::<f64>() > MAX_FALSE_CLAIM_PROBABILITY
 }
 
-/// Returns `verdict`, limited by the number of passes over each point, which further rounds cannot lower.
+/// Whether wiping that the log does not show may have undone the goal, as [`Action::is_lasting`] states.
+pub fn may_be_undone(task: &Task, interpretation: &Interpretation) -> bool {
+    // No camera shows how often a point was polished.
+    let is_unseen = interpretation.observation.is_none() || task.treatment.is_some();
+    is_unseen && !task.action.is_lasting() && interpretation.doubts.iter().any(Doubt::is_cut)
+}
+
+/// Returns `verdict`, limited by what the log does not show and by the number of passes over each point, which further rounds
+/// cannot lower.
+///
+/// [`Verdict::GoalMet`] becomes [`Verdict::Undecidable`] if wiping outside the log may have undone the goal
+/// ([`may_be_undone`]).
 ///
 /// If too many points are certainly polished too often, as [`find_excess_passes`] states, it is
 /// [`Verdict::NothingToGain`] instead of any verdict that leaves the goal open or calls it met. If this is only expected
 /// ([`exceeds_max_passes`]) or possible ([`may_exceed_max_passes`]), it is [`Verdict::UnknowableByTouch`] instead of
 /// [`Verdict::GoalMet`].
-pub fn limit_by_max_passes(
+pub fn limit_verdict(
     verdict: Verdict,
     task: &Task,
     interpretation: &Interpretation,
@@ -221,6 +232,7 @@ pub fn limit_by_max_passes(
     match verdict {
         Verdict::NoWay | Verdict::UnsafeMotion => verdict,
         _ if find_excess_passes(task, interpretation, target).is_some() => Verdict::NothingToGain,
+        Verdict::GoalMet if may_be_undone(task, interpretation) => Verdict::Undecidable,
         Verdict::GoalMet
             if exceeds_max_passes(task, belief, target)
                 || may_exceed_max_passes(task, belief, target) =>
@@ -564,7 +576,7 @@ mod tests {
             polished(if first < 0.5 { &[0.2; 8] } else { &shares })
         });
         let limited =
-            |task: &Task, target| limit_by_max_passes(Verdict::GoalMet, task, &reaching, target);
+            |task: &Task, target| limit_verdict(Verdict::GoalMet, task, &reaching, target);
         assert_eq!(limited(&task, TARGET), Verdict::GoalMet, "no treatment");
         task.treatment = Some(Treatment::Polish {
             passes: 1,
@@ -580,7 +592,7 @@ mod tests {
                 Verdict::UnknowableByTouch,
                 Verdict::NoProgress,
             ] {
-                let limited = |target| limit_by_max_passes(verdict, &task, estimated, target);
+                let limited = |target| limit_verdict(verdict, &task, estimated, target);
                 assert_eq!(limited(0.9), Verdict::NothingToGain);
                 assert_eq!(limited(0.8), verdict);
             }
@@ -598,7 +610,7 @@ mod tests {
         };
         for target in [0.6, 0.8] {
             assert_eq!(
-                limit_by_max_passes(Verdict::GoalMet, &task, &open, target),
+                limit_verdict(Verdict::GoalMet, &task, &open, target),
                 Verdict::UnknowableByTouch
             );
         }

@@ -14,8 +14,8 @@ use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow,
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
 use crate::plan::{Plan, predict};
 use crate::recover::{
-    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, limit_by_max_passes,
-    next_task,
+    RoundOutcome, TerminationPolicy, Verdict, expected_performance, is_done, limit_verdict,
+    may_be_undone, next_task,
 };
 use crate::represent::{GoalState, Observation, Task};
 use planning::NextPlan;
@@ -681,7 +681,8 @@ impl<'a> Session<'a> {
             is_done: is_done(&interpretation.belief, &goal, &next.surface, next.seed)?,
             is_protective_stop: matches!(execution.ending, Ending::ProtectiveStop { .. }),
         });
-        let verdict = limit_by_max_passes(verdict, task, &interpretation, self.config.target);
+        let verdict = limit_verdict(verdict, task, &interpretation, self.config.target);
+        let verdict = self.limit_by_earlier_rounds(verdict, &interpretation);
         let was_stopped = match &execution.ending {
             Ending::Stopped => self.is_stopped || self.config.after_stop == AfterStop::Wait,
             Ending::ProtectiveStop { cause, .. } => {
@@ -719,6 +720,24 @@ impl<'a> Session<'a> {
         }
         self.state = State::Begin;
         Ok(Stage::Decided)
+    }
+
+    /// Returns `verdict`, or [`Verdict::Undecidable`] instead of [`Verdict::GoalMet`] if wiping that no log shows may have undone
+    /// the goal in an earlier round, and no observation has shown the dirt since.
+    fn limit_by_earlier_rounds(&self, verdict: Verdict, last: &Interpretation) -> Verdict {
+        let shows_dirt = |interpretation: &Interpretation| {
+            interpretation.observation.is_some() && self.task.treatment.is_none()
+        };
+        let earlier = self.rounds.iter().rev().map(|round| &round.interpretation);
+        let mut unseen = (std::iter::once(last).chain(earlier))
+            .take_while(|interpretation| !shows_dirt(interpretation))
+            .skip(1);
+        if verdict == Verdict::GoalMet
+            && unseen.any(|interpretation| may_be_undone(&self.task, interpretation))
+        {
+            return Verdict::Undecidable;
+        }
+        verdict
     }
 }
 

@@ -4,9 +4,11 @@ use super::log::{DEPTH, Hand, PRESS, STEEP, Script, task};
 use super::{assert_near_times, events, exact, interpreted, interpreted_with};
 use wisch::geometry::{Point2, Vector3};
 use wisch::interpret::{
-    Diagnosis, Doubt, Event, EventKind, InterpretConfig, Touch, TouchSample, Uncertainty,
+    Belief, Diagnosis, Doubt, Event, EventKind, InterpretConfig, Interpreter, Touch, TouchSample,
+    Uncertainty,
 };
-use wisch::represent::Fate;
+use wisch::recover::{Verdict, limit_verdict};
+use wisch::represent::{Action, Fate, GoalState, Task};
 
 /// A hand that lifts the sponge on the second stroke by 2 cm, with the force of contact.
 pub fn lifted() -> Script {
@@ -78,6 +80,52 @@ fn friction_that_vanishes_with_the_normal_force_is_no_push() {
         ..hopping
     };
     assert_eq!(events(&interpreted(&pulled), EventKind::Push).len(), 1);
+}
+
+/// The force sensor stops within the second stroke, and the poses go on.
+#[test]
+fn sliding_without_forces_leaves_a_lower_bound_and_no_claim_of_a_collect() {
+    let mut task = task(80, STEEP);
+    let config = InterpretConfig::from_task(&task);
+    let script = Script::default();
+    let [_, end] = script.contacts()[0];
+    let samples = script.samples(&task);
+    let (logged, alone): (Vec<TouchSample>, Vec<TouchSample>) =
+        (samples.into_iter()).partition(|sample| sample.time < end + 0.5);
+    let conclude = |poses: &[TouchSample]| {
+        let mut interpreter = Interpreter::new(&task, &config).unwrap();
+        for sample in &logged {
+            interpreter.push(sample).unwrap();
+        }
+        for sample in poses {
+            interpreter.note_pose(sample.time, &sample.world_from_tool);
+        }
+        let believed = Belief::from_particles(task.particles.clone());
+        interpreter
+            .conclude(&believed, &GoalState::Absorbed)
+            .unwrap()
+    };
+    assert!(!conclude(&[]).is_lower_bound());
+    let found = conclude(&alone);
+    assert!(found.is_lower_bound(), "{:?}", found.doubts);
+    // Two strokes at full contact.
+    let [[start, _], [_, last]] = [script.contacts()[1], script.contacts()[2]];
+    let [Doubt::Incomplete { missing, .. }] = found.doubts[..] else {
+        panic!("{:?}", found.doubts);
+    };
+    assert!(
+        missing > 0.5 * (last - start) && missing < last - start,
+        "{missing}"
+    );
+    let claimed = |task: &Task| limit_verdict(Verdict::GoalMet, task, &found, 0.9);
+    assert_eq!(found.range(Action::Absorb), [found.performance.low, 1.0]);
+    assert_eq!(found.range(Action::Collect), [0.0, 1.0]);
+    task.action = Action::Absorb;
+    assert_eq!(claimed(&task), Verdict::GoalMet);
+    for action in [Action::Collect, Action::Polish, Action::Dispense] {
+        task.action = action;
+        assert_eq!(claimed(&task), Verdict::Undecidable);
+    }
 }
 
 #[test]

@@ -1,17 +1,16 @@
 //! Mesh files from bytes in memory: STL, OBJ, COLLADA, PLY, and height fields.
 //!
-//! STL and OBJ are parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
+//! STL is parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
 //! (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`, panics or aborts on inconsistent counts,
-//! ignores node transforms under 1 cm and misplaces nested nodes. Concave faces of an OBJ are triangulated before
-//! mesh-loader reads them (`obj_faces.rs`), as it cuts every face into a fan. PLY is read in `ply.rs`, height fields in
-//! `height_field.rs`.
+//! ignores node transforms under 1 cm and misplaces nested nodes. So is OBJ (`obj.rs`): it refuses comments at the end of a
+//! line, continued lines, and faces with texture coordinates after faces without, and it cuts every face into a fan. PLY is
+//! read in `ply.rs`, height fields in `height_field.rs`.
 
-use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, height_field, obj_faces, ply};
+use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, height_field, obj, ply};
 use std::io;
 use std::path::Path;
 
-/// Largest number of solids, groups or material changes of one file; each costs the parser about a
-/// kilobyte.
+/// Largest number of solids of one file; each costs the parser about a kilobyte.
 const MAX_PARTS: usize = 100_000;
 
 /// Length of a binary STL's header including the triangle count [bytes], and of one triangle.
@@ -69,7 +68,7 @@ impl Mesh {
     pub fn parse(bytes: &[u8], format: MeshFormat, name: &str) -> Result<Self, MeshError> {
         let mesh = match format {
             MeshFormat::Stl => parse_stl(bytes),
-            MeshFormat::Obj => parse_obj(bytes),
+            MeshFormat::Obj => obj::parse(bytes),
             MeshFormat::Collada => collada::parse(bytes),
             MeshFormat::Ply => ply::parse(bytes),
             MeshFormat::HeightField => height_field::parse(bytes),
@@ -95,8 +94,13 @@ fn parse_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
 /// 80 to 84 hold a triangle count that fits: as text they would announce at least 9e9 bytes.
 fn is_ascii_stl(bytes: &[u8]) -> bool {
     let room = bytes.len().saturating_sub(STL_HEADER) / STL_TRIANGLE;
-    bytes.trim_ascii_start().starts_with(b"solid")
+    starts_with(bytes.trim_ascii_start(), b"solid")
         && declared_triangles(bytes).is_none_or(|declared| declared as usize > room)
+}
+
+/// Whether bytes begin with a keyword, in any case.
+fn starts_with(bytes: &[u8], keyword: &[u8]) -> bool {
+    (bytes.get(..keyword.len())).is_some_and(|begin| begin.eq_ignore_ascii_case(keyword))
 }
 
 fn declared_triangles(bytes: &[u8]) -> Option<u32> {
@@ -143,49 +147,18 @@ fn with_plain_solids(bytes: &[u8]) -> Result<Vec<u8>, MeshError> {
     let mut solids = 0;
     for line in bytes.split_inclusive(|b| matches!(b, b'\n' | b'\r')) {
         let trimmed = line.trim_ascii_start();
-        if trimmed.starts_with(b"solid") {
+        if starts_with(trimmed, b"solid") {
             solids += 1;
             plain.extend(b"solid -\n");
-        } else if trimmed.starts_with(b"endsolid") {
+        } else if starts_with(trimmed, b"endsolid") {
             plain.extend(b"endsolid\n");
         } else {
-            plain.extend(line);
+            // mesh-loader knows the keywords in lower case only. Numbers read the same in lower case.
+            plain.extend(line.to_ascii_lowercase());
         }
     }
     check_parts("solids", solids)?;
     Ok(plain)
-}
-
-fn parse_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        // mesh-loader would decode it, without the checks below.
-        let reason = "UTF-16 is not supported, save it as UTF-8".to_owned();
-        return Err(MeshError::Syntax { reason });
-    }
-    let (mut triangles, mut parts) = (0, 0);
-    for line in bytes.split(|b| matches!(b, b'\n' | b'\r')) {
-        let mut words = line
-            .split(|b| matches!(b, b' ' | b'\t'))
-            .filter(|word| !word.is_empty());
-        match words.next() {
-            Some(b"f") => triangles += words.count().saturating_sub(2),
-            Some(b"g" | b"usemtl") => parts += 1,
-            _ => {}
-        }
-    }
-    check_parts("groups and materials", parts)?;
-    if triangles > MAX_TRIANGLES {
-        return Err(MeshError::TooManyTriangles { count: triangles });
-    }
-    let no_material_files = |_: &Path| io::Result::<Vec<u8>>::Err(io::ErrorKind::NotFound.into());
-    let read = |bytes: &[u8]| {
-        from_scene(mesh_loader::obj::from_slice(bytes, None, |path: &Path| {
-            no_material_files(path)
-        }))
-    };
-    // The file is parsed as it is first, so that errors name its lines.
-    let mesh = read(bytes)?;
-    obj_faces::with_concave_faces_cut(bytes).map_or(Ok(mesh), |cut| read(&cut))
 }
 
 fn check_parts(what: &'static str, count: usize) -> Result<(), MeshError> {

@@ -388,7 +388,7 @@ fn faults_name_mesh_place_and_limit() {
     let names = r##"<source id="w"><Name_array id="x" count="4000000000">a b</Name_array></source><vertices"##;
     let mut fewer = stl.clone();
     fewer[80..84].copy_from_slice(&10_u32.to_le_bytes());
-    let cases: [(Vec<u8>, MeshFormat, &str); 15] = [
+    let cases: [(Vec<u8>, MeshFormat, &str); 17] = [
         (
             stl[..300].to_vec(),
             MeshFormat::Stl,
@@ -411,13 +411,23 @@ fn faults_name_mesh_place_and_limit() {
         (
             b"v 0 0 0\nf 1 2 3".to_vec(),
             MeshFormat::Obj,
-            "out of bounds (1)",
+            "line 2: vertex 2 is not among the 1 before it",
         ),
         (b"v 0 nan 0\nf 1 1 1".to_vec(), MeshFormat::Obj, "y = NaN m"),
         (
-            "g a\nf 1 1 1\n".repeat(100_001).into_bytes(),
+            b"v 0 0 0\nv 1 0\n".to_vec(),
             MeshFormat::Obj,
-            "100001 groups",
+            "line 2: a vertex has at least 3 numbers, and this one has 2",
+        ),
+        (
+            b"v 0 0 0 \\\n 1\nf 1 x 1\n".to_vec(),
+            MeshFormat::Obj,
+            "line 3: \"x\" is no corner of a face",
+        ),
+        (
+            b"# a log\ntime,x,y,z\n".to_vec(),
+            MeshFormat::Obj,
+            "line 2: \"time,x,y,z\" is no keyword of OBJ",
         ),
         (
             b"".to_vec(),
@@ -452,6 +462,23 @@ fn faults_name_mesh_place_and_limit() {
     }
     // mesh-loader 0.1.13 would not return from this one; positions do not need the names.
     assert!(parse(document.replace("<vertices", names), MeshFormat::Collada).is_ok());
+}
+
+/// Two triangles of a square in valid files that some readers refuse.
+#[test]
+fn valid_files_of_any_writer_are_read() {
+    let square = [
+        "v 0 0 0\nv 2 0 0 # origin\nv 2 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1/1/1 3/1/1 4/1/1\n",
+        "v 0 0 0\r\nv 2 0 0\r\nv 2 1 0\r\nv 0 1 0\r\nf 1 2 \\\r\n  3 4 # quad\r\n",
+        "\u{feff}o a\nv 0 0 0\nv 2 0 0\nv 2 1 0\no b\nv 0 1 0\nf -4 -3 -2\nf 1 3 4\n",
+    ];
+    for text in square {
+        let mesh = parse(text.as_bytes(), MeshFormat::Obj).unwrap();
+        assert_eq!((mesh.vertices().len(), mesh.triangles().len()), (4, 2));
+    }
+    let stl = ascii_stl(&box_mesh());
+    let upper = parse(stl.to_uppercase().as_bytes(), MeshFormat::Stl).unwrap();
+    assert_eq!(upper, parse(stl.as_bytes(), MeshFormat::Stl).unwrap());
 }
 
 /// Bytes that resemble a file: a valid one with some bytes replaced, cut out or doubled.

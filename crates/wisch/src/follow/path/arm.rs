@@ -276,7 +276,8 @@ impl<'a> Arm<'a> {
             unit[i] = 1.0;
             add(unit);
         }
-        DMatrix::from_columns(&basis[rank..])
+        let free = &basis[rank..];
+        DMatrix::from_fn(n, free.len(), |row, column| free[column][row])
     }
 
     /// Returns the tool centre point projected onto the surface, in the surface frame.

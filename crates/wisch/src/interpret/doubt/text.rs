@@ -408,7 +408,7 @@ fn write_incomplete(
     let parts = [
         begins.then(|| "begins while the tool presses".to_owned()),
         ends.then(|| "ends while the tool presses".to_owned()),
-        (missing > 0.0).then(|| format!("has no samples for {missing:.1} s")),
+        (missing > 0.0).then(|| format!("has no samples, or no forces, for {missing:.1} s")),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     write!(
@@ -504,6 +504,10 @@ fn write_unusable(
         (
             unusable.frozen_pose,
             "with a pose that stays exactly the same while the force changes",
+        ),
+        (
+            unusable.missing_pose,
+            "before the first pose or after the last",
         ),
     ];
     let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);

@@ -46,6 +46,20 @@ impl Action {
     /// The actions that move dirt, in the order of the paper.
     pub const WIPING: [Self; 3] = [Self::Absorb, Self::Collect, Self::Skim];
 
+    /// Whether further wiping keeps what an action has reached. Dirt that is absorbed or skimmed off stays away. Wiping can push
+    /// dirt out of the goal of a collect, and can polish or coat points too often.
+    ///
+    /// ```
+    /// use wisch::represent::Action;
+    /// assert!(Action::Absorb.is_lasting() && !Action::Collect.is_lasting());
+    /// ```
+    pub fn is_lasting(self) -> bool {
+        match self {
+            Self::Absorb | Self::Skim => true,
+            Self::Collect | Self::Polish | Self::Dispense => false,
+        }
+    }
+
     /// Name of the action in files and goals.
     ///
     /// ```
