@@ -157,7 +157,8 @@ fn work_on_goal(
     };
     let progress = Progress::start(global);
     let known = OnceCell::new();
-    let mut task = GoalTask::evaluate(task_args, file, robot, &known, &progress)?;
+    let mut task =
+        GoalTask::evaluate(task_args, file, (robot, extent.is_run()), &known, &progress)?;
     let plans = task.take_plans();
     drop(progress);
     let out = out_folder(

@@ -14,9 +14,10 @@ use std::ops::ControlFlow;
 use wisch::geometry::Point2;
 use wisch::goal::{Sequence, Situation, StepPlace, StepTimes, Wiping};
 use wisch::represent::Action;
-use wisch::run::{FirstPlan, NoExecutor, RunConfig, Session};
+use wisch::run::{Executor, FirstPlan, NoExecutor, RunConfig, Session};
 use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot, RoundTimes};
 use wisch_record::{RunSink, StageSink};
+use wisch_sim::{WorkSurface, World};
 
 /// Least predicted performance at which further rounds are expected to reach a target [1].
 const LEAST_PREDICTED: f64 = 0.05;
@@ -81,14 +82,15 @@ pub fn read_goal(args: &TaskArgs) -> Result<Option<GoalFile>, Failure> {
 impl<'a> GoalTask<'a> {
     /// Plans every action that may serve the goal, and predicts its time and performance.
     ///
-    /// `robot`: the robot that follows the plans; `None` to plan the strokes only. `known`: receives the robot once it is read.
+    /// `robot`: the robot that follows the plans; `None` to plan the strokes only. `is_run`: whether the steps are to be executed,
+    /// so that the camera, if there is one, first observes the dirt. `known`: receives the robot once it is read.
     ///
     /// # Errors
     /// If the goal or the robot is invalid. An action that cannot be planned is no error, but impossible.
     pub fn evaluate(
         args: &'a TaskArgs,
         file: &'a GoalFile,
-        robot: Option<&RobotArgs>,
+        (robot, is_run): (Option<&RobotArgs>, bool),
         known: &'a OnceCell<Robot>,
         progress: &Progress,
     ) -> Result<Self, Failure> {
@@ -135,7 +137,7 @@ impl<'a> GoalTask<'a> {
                 task.observed.insert(wiping.clone());
             }
             task.targets.insert(wiping.clone(), loaded.run.target);
-            let expected = match expect(&loaded, robot) {
+            let expected = match expect(&loaded, robot, is_run) {
                 Ok(Expectation {
                     expected,
                     swept,
@@ -314,11 +316,31 @@ struct Expectation<'r> {
     plan: Option<KeptPlan<'r>>,
 }
 
-/// Plans the task of an action, with the robot if there is one, and predicts time and performance. The error is the reason
-/// why the action is impossible.
+/// Plans the task of an action, with the robot if there is one, and predicts time and performance. In a run with a camera, the
+/// plan is for the observed dirt, as in the first round of the step, or for the task's estimate if no such plan serves. The
+/// error is the reason why the action is impossible.
 fn expect<'r>(
     loaded: &LoadedTask,
     robot: Option<(&Chosen<'_>, &'r Robot)>,
+    is_run: bool,
+) -> Result<Expectation<'r>, String> {
+    if is_run && robot.is_some() && loaded.run.sight.is_some() {
+        let surface = WorkSurface::from_task(&loaded.task);
+        let world = World::new(&surface, loaded.simulation.clone(), loaded.task.seed);
+        let observed = world.map_err(|error| error.to_string());
+        let observed = observed.and_then(|mut world| expect_with(loaded, robot, &mut world));
+        if observed.is_ok() {
+            return observed;
+        }
+    }
+    expect_with(loaded, robot, &mut NoExecutor)
+}
+
+/// Plans and predicts like [`expect`]. `executor`: observes the dirt before the plan if it has a camera, and moves nothing.
+fn expect_with<'r>(
+    loaded: &LoadedTask,
+    robot: Option<(&Chosen<'_>, &'r Robot)>,
+    executor: &mut dyn Executor,
 ) -> Result<Expectation<'r>, String> {
     let config = RunConfig {
         workcell: robot.map_or_else(Default::default, |(chosen, _)| {
@@ -331,12 +353,15 @@ fn expect<'r>(
         session = session.with_robot(robot.robot_setup());
     }
     let mut stages = StageSink::default();
-    let first = session.plan_first(&mut NoExecutor, &mut |event| {
+    let first = session.plan_first(executor, &mut |event| {
         // It measures times only, and never fails.
         let _ = stages.on_event(event);
         ControlFlow::Continue(())
     });
     let first = first.map_err(|error| error.to_string())?;
+    if session.unseen_dirt().is_some() {
+        return Err("the camera detects no dirt".to_owned());
+    }
     let (round_s, prediction, plan) = match (session.first_motion(), session.plan()) {
         (Some((_, audit)), _) if !audit.is_sound() => {
             let fault = audit.faults.first().map(ToString::to_string);
@@ -435,6 +460,8 @@ mod tests {
         name = "breadcrumbs"
         particles = { source = "uniform", count = 20 }
         collect = { goal_m = [0.06, -0.03] }
+        [perception]
+        senses = ["touch", "sight"]
         [robot]
         name = "arm7"
         position_m = [0.0, -0.45, 0.75]
@@ -454,7 +481,8 @@ mod tests {
         let (task_args, robot_args) = (&run.follow.task, &run.follow.robot);
         let file = read_goal(task_args).expect("a task").expect("two parts");
         let (known, progress) = (OnceCell::new(), Progress::start(&cli.global));
-        let task = GoalTask::evaluate(task_args, &file, Some(robot_args), &known, &progress);
+        let robot = (Some(robot_args), true);
+        let task = GoalTask::evaluate(task_args, &file, robot, &known, &progress);
         let mut task = task.expect("an evaluation");
         let plans = task.take_plans();
         assert!(plans.len() >= 2, "{:?}", task.expected);
@@ -482,8 +510,12 @@ mod tests {
                 kept: Some(kept),
             };
             let mut session = job.session(job.config(Some(&run.rounds)), start);
-            let step = session.step(&mut NoExecutor, &mut ignore_events);
+            // The world of the step shows the same dirt as the world of the prediction.
+            let surface = WorkSurface::from_task(&prepared.task);
+            let world = World::new(&surface, prepared.simulation.clone(), prepared.task.seed);
+            let step = session.step(&mut world.expect("a world"), &mut ignore_events);
             step.expect("a plan");
+            assert!(session.first_observation().is_some());
             assert!(session.has_used_first_plan(), "{wiping} is planned twice");
         }
     }
