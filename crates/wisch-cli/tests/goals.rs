@@ -326,7 +326,6 @@ fn what_needs_one_part_says_how_to_choose_it() {
         &["run", "board.toml", "--plan", "plan.json"][..],
         &["run", "board.toml", "--executor", "true"],
         &["interpret", "--task", "board.toml", "log.csv"],
-        &["check", "board.toml", "--json"],
     ] {
         let (code, out, err) = wisch(folder.path(), args);
         assert_eq!(code, 2, "{args:?}");
@@ -335,6 +334,40 @@ fn what_needs_one_part_says_how_to_choose_it() {
     let (code, out, err) = wisch(folder.path(), &["check", "board.toml"]);
     assert_eq!(code, 0, "{err}");
     assert!(out.contains("(absorbed water chopping_board): "), "{out}");
+}
+
+#[test]
+fn a_check_of_several_parts_is_one_object() {
+    let folder = tempfile::tempdir().unwrap();
+    write_board(folder.path());
+    let (code, found, err) = summary_of(folder.path(), &["check", "board.toml", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(found["format"], "wisch-goal-check");
+    let parts = found["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), 3);
+    assert!(
+        parts.iter().all(|part| part["left_out"].is_null()),
+        "{found:#}"
+    );
+    assert_eq!(found["surfaces"], serde_json::json!(["chopping_board"]));
+    assert_eq!(found["media"][0]["medium"], "water");
+    assert_eq!(found["tool_in_hand"], "sponge");
+    let steps = found["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), 2, "{found:#}");
+    // The checks of single parts print the same objects.
+    for step in steps {
+        let goal = format!("goal={}", step["part"]);
+        let args = ["check", "board.toml", "--json", "--set", &goal];
+        let (_, alone, _) = summary_of(folder.path(), &args);
+        let mut step = step.clone();
+        step.as_object_mut().unwrap().remove("part");
+        assert_eq!(step, alone);
+    }
+    let goal = "goal=\"(and (absorbed water chopping_board) (polished water chopping_board))\"";
+    let args = ["check", "board.toml", "--json", "--set", goal];
+    let (code, found, _) = summary_of(folder.path(), &args);
+    assert_eq!(code, 1);
+    assert!(found["parts"][1]["left_out"].is_string(), "{found:#}");
 }
 
 #[test]

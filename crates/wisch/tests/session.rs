@@ -2,6 +2,7 @@
 //! makes.
 
 mod executor_data;
+mod first_plan;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -63,46 +63,62 @@ fn check_parts(args: &CheckArgs, file: &GoalFile, global: &GlobalArgs) -> Result
         Some((fact.to_string(), wiping.tool.clone()))
     });
     let parts: Vec<(String, String)> = parts.collect();
-    if args.json {
-        let problem = format!(
-            "--json checks one part of the goal, but the goal has {}",
-            parts.len()
-        );
-        let failure = stage_failure(&args.task, problem);
-        return Err(match parts.first() {
-            Some((part, _)) => failure.with_help(format!("choose the part: --set goal='{part}'")),
-            None => failure,
-        });
-    }
     let mut outcome = Outcome::Done;
-    for (part, reason) in left_out {
-        if !global.quiet {
+    for (part, reason) in &left_out {
+        if !global.quiet && !args.json {
             print(&format!("{part}: cannot be reached: {reason}\n"))?;
         }
         outcome = Outcome::GoalNotMet;
     }
+    let (mut steps, mut notes) = (Vec::new(), Vec::new());
     for (part, tool) in parts {
-        if !global.quiet {
+        if !global.quiet && !args.json {
             print(&format!("{part}: "))?;
         }
         let mut args = args.clone();
         let text = |text: String| serde_json::Value::from(text).to_string();
         let of_step = [
-            ("goal", text(part)),
+            ("goal", text(part.clone())),
             ("tool.name", text(tool.clone())),
             ("tool.in_hand", text(tool)),
             ("tool.available", "[]".to_owned()),
         ];
         let of_step = of_step.map(|(key, value)| (key.to_owned(), value));
         args.task.settings.extend(of_step);
-        if !matches!(check_task(&args, global)?, Outcome::Done) {
+        let checked = check_one(&args, global)?;
+        if !matches!(checked.outcome, Outcome::Done) {
             outcome = Outcome::GoalNotMet;
         }
+        let new = checked.assumptions.into_iter();
+        let new: Vec<String> = new.filter(|note| !notes.contains(note)).collect();
+        notes.extend(new);
+        steps.extend(checked.record.map(|check| StepCheck { part, check }));
+    }
+    if args.json {
+        print_json(&GoalCheckRecord::new(file, &left_out, steps, notes))?;
     }
     Ok(outcome)
 }
 
 fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
+    let checked = check_one(args, global)?;
+    if let Some(record) = &checked.record {
+        print_json(record)?;
+    }
+    Ok(checked.outcome)
+}
+
+/// The result of the check of a task.
+struct Checked {
+    outcome: Outcome,
+    /// The object of `--json`; `None` without this option.
+    record: Option<CheckRecord>,
+    /// Assumptions of the task.
+    assumptions: Vec<String>,
+}
+
+/// Checks a task. Without `--json`, prints its summary.
+fn check_one(args: &CheckArgs, global: &GlobalArgs) -> Result<Checked, Failure> {
     let progress = Progress::start(global);
     progress.say("reading the task");
     let task_args = &in_evaluations(&args.task, &KeptFiles::default())?;
@@ -140,15 +156,11 @@ fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         robot,
         prediction,
     };
-    if args.json {
+    let record = args.json.then(|| {
         let refusal = refusal.as_ref().map(ToString::to_string);
-        print_json(&CheckRecord::new(
-            &prepared,
-            &found,
-            refusal,
-            reaches_nothing,
-        ))?;
-    } else if !global.quiet {
+        CheckRecord::new(&prepared, &found, refusal, reaches_nothing)
+    });
+    if !args.json && !global.quiet {
         let heading = match &refusal {
             _ if reaches_nothing => {
                 "the task is valid, but the robot reaches no stroke of its plan".to_owned()
@@ -158,21 +170,127 @@ fn check_task(args: &CheckArgs, global: &GlobalArgs) -> Result<Outcome, Failure>
         };
         print(&describe_found(&prepared, &found, &heading))?;
     }
-    Ok(match refusal {
+    let outcome = match refusal {
         None if !reaches_nothing => Outcome::Done,
         _ => Outcome::GoalNotMet,
+    };
+    Ok(Checked {
+        outcome,
+        record,
+        assumptions: prepared.assumptions,
     })
+}
+
+/// The object that `--json` prints for a goal of several parts.
+#[derive(Serialize)]
+struct GoalCheckRecord<'a> {
+    format: &'static str,
+    schema: u32,
+    task: &'a str,
+    goal: String,
+    /// The parts of the goal, in its order.
+    parts: Vec<PartCheck>,
+    surfaces: Vec<&'a str>,
+    media: Vec<MediumCheck<'a>>,
+    /// The tool in the hand before the first step; null without one.
+    tool_in_hand: Option<&'a str>,
+    /// The tools in the rack.
+    tools: Vec<ToolCheck<'a>>,
+    /// The wiping steps that the goal needs, without their order in time.
+    steps: Vec<StepCheck>,
+    /// Assumptions about tools, media and interactions that the file defines.
+    notes: Vec<String>,
+}
+
+/// A part of a goal.
+#[derive(Serialize)]
+struct PartCheck {
+    part: String,
+    /// Why no sequence of steps reaches the part; null if one does.
+    left_out: Option<String>,
+}
+
+/// A medium on a surface.
+#[derive(Serialize)]
+struct MediumCheck<'a> {
+    medium: &'a str,
+    surface: &'a str,
+}
+
+/// A tool in the rack.
+#[derive(Serialize)]
+struct ToolCheck<'a> {
+    tool: &'a str,
+    /// Its position in the world; null if the file states none.
+    position_m: Option<[f64; 3]>,
+}
+
+/// The check of a wiping step.
+#[derive(Serialize)]
+struct StepCheck {
+    /// The fact that the step brings about.
+    part: String,
+    #[serde(flatten)]
+    check: CheckRecord,
+}
+
+impl<'a> GoalCheckRecord<'a> {
+    fn new(
+        file: &'a GoalFile,
+        left_out: &[(String, String)],
+        steps: Vec<StepCheck>,
+        notes: Vec<String>,
+    ) -> Self {
+        let parts = file.goal.parts().map(|(holds, fact)| {
+            let part = match holds {
+                true => fact.to_string(),
+                false => format!("(not {fact})"),
+            };
+            let reason = left_out.iter().find(|(left, _)| *left == part);
+            PartCheck {
+                left_out: reason.map(|(_, reason)| reason.clone()),
+                part,
+            }
+        });
+        let mut surfaces: Vec<&str> = Vec::new();
+        for on in &file.media {
+            if !surfaces.contains(&&*on.surface) {
+                surfaces.push(&on.surface);
+            }
+        }
+        let media = file.media.iter().map(|on| MediumCheck {
+            medium: &on.medium,
+            surface: &on.surface,
+        });
+        let tools = file.tools.iter().map(|tool| ToolCheck {
+            tool: &tool.name,
+            position_m: tool.position,
+        });
+        Self {
+            format: "wisch-goal-check",
+            schema: 1,
+            task: &file.name,
+            goal: file.goal.to_string(),
+            parts: parts.collect(),
+            surfaces,
+            media: media.collect(),
+            tool_in_hand: file.tool_in_hand.as_deref(),
+            tools: tools.collect(),
+            steps,
+            notes,
+        }
+    }
 }
 
 /// The object that `--json` prints.
 #[derive(Serialize)]
-struct CheckRecord<'a> {
-    task: &'a str,
-    action: &'a str,
-    surface: &'a str,
-    tool: &'a str,
-    medium: &'a str,
-    strategy: &'a str,
+struct CheckRecord {
+    task: String,
+    action: &'static str,
+    surface: String,
+    tool: String,
+    medium: String,
+    strategy: &'static str,
     seed: u64,
     particles: usize,
     free_share: f64,
@@ -191,28 +309,25 @@ struct CheckRecord<'a> {
     /// Whether the robot reaches a stroke of the plan; null without a robot.
     reaches_a_stroke: Option<bool>,
     /// The lines about the robot, by name; null without a robot.
-    robot: Option<BTreeMap<&'static str, &'a str>>,
+    robot: Option<BTreeMap<&'static str, String>>,
 }
 
-impl<'a> CheckRecord<'a> {
+impl CheckRecord {
     fn new(
-        prepared: &'a LoadedTask,
-        found: &'a Found<'_>,
+        prepared: &LoadedTask,
+        found: &Found<'_>,
         refusal: Option<String>,
         reaches_nothing: bool,
     ) -> Self {
         let (task, plan, prediction) = (&prepared.task, found.plan, &found.prediction);
         let performance = prediction.performance;
-        let lines = |robot: &'a RobotFound| {
-            let lines = robot.lines.iter().map(|(name, line)| (*name, &line[..]));
-            lines.collect()
-        };
+        let lines = |robot: &RobotFound| robot.lines.iter().cloned().collect();
         Self {
-            task: &task.name,
+            task: task.name.clone(),
             action: task.action.as_str(),
-            surface: &task.surface.name,
-            tool: &task.tool.name,
-            medium: &task.medium,
+            surface: task.surface.name.clone(),
+            tool: task.tool.name.clone(),
+            medium: task.medium.clone(),
             strategy: prepared.run.plan.strategy.as_str(),
             seed: prepared.run.plan.seed,
             particles: task.particles.len(),

@@ -1,6 +1,7 @@
 //! The inputs that all commands with a session share.
 
 use super::follow::{Chosen, workcell_config};
+use super::goal::KeptPlan;
 use super::prepare::stage_failure;
 use crate::args::{LoopArgs, TaskArgs};
 use crate::failure::Failure;
@@ -9,8 +10,8 @@ use wisch::follow::WorkcellConfig;
 use wisch::plan::Plan;
 use wisch::represent::ParticleError;
 use wisch::run::{Pace, PlannedRound, Round, RunConfig, RunError, Session};
-use wisch_io::{LoadedTask, OutputFolder, Robot};
-use wisch_record::{RoundGroundTruth, RunClock};
+use wisch_io::{LoadedTask, OutputFolder, Robot, RoundTimes};
+use wisch_record::{RoundGroundTruth, RunClock, StageSink};
 use wisch_sim::GroundTruth;
 
 /// Number of single-stroke rounds that replace one round of a whole plan.
@@ -30,6 +31,31 @@ pub(super) struct Job<'a> {
     pub progress: &'a Progress,
     /// When the command began.
     pub clock: RunClock,
+}
+
+/// The plan of the first round, if it is known before the round.
+#[derive(Default)]
+pub(super) struct RoundStart<'a> {
+    /// A plan that the user gives.
+    pub given: Option<Plan>,
+    /// A plan that was computed for the same task, and is used if all its inputs are the same.
+    pub kept: Option<KeptPlan<'a>>,
+}
+
+impl RoundStart<'_> {
+    /// Returns the computation times of the kept plan [s]; 0 without one.
+    pub fn kept_times(&self) -> RoundTimes {
+        (self.kept.as_ref()).map_or_else(RoundTimes::default, |kept| kept.times)
+    }
+}
+
+/// Adds the computation times of a kept plan to those of the first round, if the session has used it.
+pub(super) fn add_kept_times(stages: &mut StageSink, session: &Session<'_>, times: RoundTimes) {
+    if session.has_used_first_plan() {
+        let round = stages.round(1);
+        round.planning_s += times.planning_s;
+        round.following_s += times.following_s;
+    }
 }
 
 impl Job<'_> {
@@ -52,11 +78,12 @@ impl Job<'_> {
         }
     }
 
-    /// Makes a session for the task. `given`: the plan of the first round, if there is one.
-    pub fn session(&self, config: RunConfig, given: Option<Plan>) -> Session<'_> {
+    /// Makes a session for the task. `start`: the plan of the first round, if there is one.
+    pub fn session<'s>(&'s self, config: RunConfig, start: RoundStart<'s>) -> Session<'s> {
         let session = Session::new(&self.prepared.task, config)
             .with_belief(self.prepared.belief())
-            .with_plan(given);
+            .with_plan(start.given)
+            .with_first_plan(start.kept.map(|kept| *kept.first));
         match self.robot {
             Some((_, robot)) => session.with_robot(robot.robot_setup()),
             None => session,

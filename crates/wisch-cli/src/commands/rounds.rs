@@ -2,7 +2,7 @@
 
 use super::PROGRAM;
 use super::interrupt::{UnfinishedRun, delay_signals, pause_on_signal, say_how_to_resume};
-use super::job::{Job, list_truths};
+use super::job::{Job, RoundStart, add_kept_times, list_truths};
 use super::prepare::stage_failure;
 use super::ros2::OperatedRobot;
 use super::warnings::watch_for_warnings;
@@ -56,12 +56,12 @@ pub struct Executed {
 pub fn execute(
     job: &Job<'_>,
     args: &LoopArgs,
-    given: Option<Plan>,
+    start: RoundStart<'_>,
     stop: Option<&Arc<AtomicBool>>,
     global: &GlobalArgs,
 ) -> Result<Executed, Failure> {
     let (chosen, robot) = job.robot.ok_or_else(|| internal("there is no robot"))?;
-    let identity = digest_run(job.prepared, robot, args, given.as_ref())?;
+    let identity = digest_run(job.prepared, robot, args, start.given.as_ref())?;
     let checkpoints = Checkpoints::new(&job.folder.checkpoint_folder(), identity);
     let killed = rounds_of_killed_run(job, &checkpoints)?;
     let taken_over: Vec<f64> = killed.iter().map(|round| round.executing_s).collect();
@@ -100,13 +100,14 @@ pub fn execute(
         deciding: None,
         is_moving: false,
     };
-    let is_given = given.is_some();
-    let mut session = job.session(job.config(Some(args)), given);
+    let (is_given, kept_times) = (start.given.is_some(), start.kept_times());
+    let mut session = job.session(job.config(Some(args)), start);
     if let Some(warnings) = warnings {
         session = session.with_warnings(warnings);
     }
     let run = sinks.run(&mut session, &mut executor, &taken_over);
     sinks.record.end_bags();
+    add_kept_times(sinks.record.stages_mut(), &session, kept_times);
     if let Some(error) = session.finish_failure() {
         let text = format!("the robot is not handed back, because finish failed: {error}");
         job.progress.aside(|| remark(&text));

@@ -6,7 +6,7 @@ use super::interrupt::{is_stop_requested, say_which_part};
 use super::out_folder::out_folder;
 use super::patches::{PatchesSummary, TaskPatches, remark_earlier_patches};
 use super::prepare::stage_failure;
-use super::wipe::wipe_surface;
+use super::wipe::{PlanSource, wipe_surface};
 use super::words::internal;
 use crate::args::{
     FollowArgs, GlobalArgs, LoopArgs, PlanArgs, PredictArgs, ResultArgs, RobotArgs, TaskArgs,
@@ -15,6 +15,7 @@ use crate::args::{
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json, remark};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wisch_io::{GoalFile, OutputFile, PLAN_FILE, REPORT_FILE, Summary, wipes_all_patches};
@@ -98,7 +99,8 @@ fn work(
             true => print_json(summary),
             false => Ok(()),
         };
-        wipe_surface(task_args, results, plan_file, extent, global, &summarised)?.is_met
+        let source = PlanSource::File(plan_file);
+        wipe_surface(task_args, results, source, extent, global, &summarised)?.is_met
     };
     Ok(if is_met {
         Outcome::Done
@@ -154,7 +156,10 @@ fn work_on_goal(
         Extent::Plan { .. } | Extent::Predict => Some(&any_robot),
     };
     let progress = Progress::start(global);
-    let task = GoalTask::evaluate(task_args, file, robot, &progress)?;
+    let known = OnceCell::new();
+    let mut task =
+        GoalTask::evaluate(task_args, file, (robot, extent.is_run()), &known, &progress)?;
+    let plans = task.take_plans();
     drop(progress);
     let out = out_folder(
         results,
@@ -175,7 +180,7 @@ fn work_on_goal(
     remove_earlier_steps(&out)?;
     // Also if no step is needed.
     std::fs::create_dir_all(&out).map_err(|error| Failure::new(error).within(&out))?;
-    let run = GoalRun::begin(&task, is_executed, out.clone())?;
+    let run = GoalRun::begin(&task, plans, is_executed, out.clone())?;
     let memory = extent.rounds().map(|rounds| &rounds.memory);
     let memory = memory.filter(|memory| is_executed && !memory.no_memory);
     let mut episode = memory.map(|memory| GoalEpisode {
@@ -183,13 +188,14 @@ fn work_on_goal(
         clock: RunClock::start(),
         step_episodes: BTreeMap::new(),
     });
-    let (summary, broken) = run.run(&mut |args, folder| {
+    let (summary, broken) = run.run(&mut |args, folder, plan| {
         let of_step = ResultArgs {
             out: Some(folder.to_owned()),
             force: results.force,
             json: results.json,
         };
-        let mut done = wipe_surface(args, &of_step, None, extent, global, &|_| Ok(()))?;
+        let source = PlanSource::Kept(plan);
+        let mut done = wipe_surface(args, &of_step, source, extent, global, &|_| Ok(()))?;
         done.is_stopped |= is_stop_requested();
         if let (Some(goal), Some(number), Some(id)) =
             (&mut episode, read_step_number(folder), done.episode.clone())
@@ -271,7 +277,8 @@ fn work_on_patches(
             force: results.force,
             json: results.json,
         };
-        let done = match wipe_surface(task_args, &of_patch, None, extent, global, &|_| Ok(())) {
+        let source = PlanSource::File(None);
+        let done = match wipe_surface(task_args, &of_patch, source, extent, global, &|_| Ok(())) {
             Ok(done) => done,
             Err(failure) => {
                 let failure = failure.after(&format!("patch {number} of {count}"));

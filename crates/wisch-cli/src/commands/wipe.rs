@@ -4,8 +4,9 @@ use super::PROGRAM;
 use super::budget::in_evaluations;
 use super::extent::{Extent, choose_robot};
 use super::follow::read_robot;
+use super::goal::KeptPlan;
 use super::interrupt::{pause_on_signal, stop_on_signal};
-use super::job::Job;
+use super::job::{Job, RoundStart, add_kept_times};
 use super::out_folder::out_folder;
 use super::prepare::{self, stage_failure};
 use super::ros2::raise;
@@ -53,6 +54,27 @@ pub(super) struct SurfaceOutcome {
     pub episode: Option<String>,
 }
 
+/// The source of the first plan.
+pub(super) enum PlanSource<'a> {
+    /// The plan file that the user gives, if there is one.
+    File(Option<&'a Path>),
+    /// The plan that was computed to predict the time of a step, if it is kept.
+    Kept(Option<KeptPlan<'a>>),
+}
+
+impl<'a> PlanSource<'a> {
+    /// Reads the plan.
+    fn read(self, prepared: &mut LoadedTask) -> Result<RoundStart<'a>, Failure> {
+        Ok(match self {
+            Self::File(path) => RoundStart {
+                given: path.map(|path| read_given_plan(path, prepared)).transpose()?,
+                kept: None,
+            },
+            Self::Kept(kept) => RoundStart { given: None, kept },
+        })
+    }
+}
+
 fn begin(global: &GlobalArgs) -> (Progress, RunClock) {
     let progress = Progress::start(global);
     progress.say("reading the task");
@@ -63,7 +85,7 @@ fn begin(global: &GlobalArgs) -> (Progress, RunClock) {
 pub(super) fn wipe_surface(
     task_args: &TaskArgs,
     results: &ResultArgs,
-    plan_file: Option<&Path>,
+    source: PlanSource<'_>,
     extent: Extent<'_>,
     global: &GlobalArgs,
     summarised: &dyn Fn(&Summary) -> Result<(), Failure>,
@@ -77,10 +99,8 @@ pub(super) fn wipe_surface(
     }
     let any_robot = RobotArgs::default();
     let chosen = choose_robot(extent, &any_robot, task_args, &prepared)?;
-    let given = plan_file
-        .map(|path| read_given_plan(path, &mut prepared))
-        .transpose()?;
-    if chosen.is_none() && given.is_none() {
+    let start = source.read(&mut prepared)?;
+    if chosen.is_none() && start.given.is_none() {
         remark_unweighed(&prepared);
     }
     let out = out_folder(
@@ -118,8 +138,8 @@ pub(super) fn wipe_surface(
         kept: episode,
         broken,
     } = match (extent, &robot) {
-        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, given, stop.as_ref(), global)?,
-        _ => simulate_effect(&job, extent, given)?,
+        (Extent::Run(_, rounds), Some(_)) => execute(&job, rounds, start, stop.as_ref(), global)?,
+        _ => simulate_effect(&job, extent, start)?,
     };
     progress.say("writing the results");
     let written = write_results(&folder, &prepared, &results_of).map_err(Failure::from);
@@ -342,10 +362,10 @@ fn say_what_was_found(found: &KilledRuns, leftover: Leftover) {
 fn simulate_effect(
     job: &Job<'_>,
     extent: Extent<'_>,
-    given: Option<Plan>,
+    start: RoundStart<'_>,
 ) -> Result<Executed, Failure> {
-    let is_given = given.is_some();
-    let mut session = job.session(job.config(None), given);
+    let (is_given, kept_times) = (start.given.is_some(), start.kept_times());
+    let mut session = job.session(job.config(None), start);
     if let Extent::Plan {
         known_dirt: true, ..
     } = extent
@@ -386,6 +406,7 @@ fn simulate_effect(
     };
     (session.run_until(until, &mut NoExecutor, &mut handle_event))
         .map_err(|error| job.failed(error))?;
+    add_kept_times(record.stages_mut(), &session, kept_times);
     let mut results = match (session.plan(), session.first_motion()) {
         (_, Some(_)) => record.results(&session)?,
         (Some(plan), None) => predict_without_robot(job, extent, plan, record.stages_mut()),

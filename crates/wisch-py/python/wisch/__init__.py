@@ -12,6 +12,7 @@ yaw [rad].
 """
 
 from ._errors import WischError
+from ._goal import GoalFile
 from ._task import Task, build_task, load_task
 from ._wisch import (
     Audit,
@@ -33,6 +34,7 @@ from ._wisch import (
 __all__ = [
     "Audit",
     "EffectField",
+    "GoalFile",
     "ImpedanceController",
     "Interpretation",
     "Memory",

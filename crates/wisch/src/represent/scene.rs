@@ -16,7 +16,7 @@ pub enum ScenePart {
 }
 
 /// An object of the scene, as a mesh at a pose in the world.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SceneObject {
     /// Name in the task file.
     pub name: String,

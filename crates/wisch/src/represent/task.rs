@@ -97,7 +97,7 @@ impl Tool {
 }
 
 /// A wiping task: action, surface, scene, tool, medium and dirt.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Task {
     /// Name of the task.
     pub name: String,

@@ -9,7 +9,7 @@ use crate::robot::{CapabilityMap, RobotModel, Srdf};
 pub use crate::recover::Pace;
 
 /// The robot setup that a session borrows; `wisch_io::Robot` reads one from files.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RobotSetup<'a> {
     /// The robot's links, joints and limits.
     pub robot: &'a RobotModel,

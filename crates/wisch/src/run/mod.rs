@@ -10,6 +10,7 @@ mod error;
 mod event;
 mod execution;
 mod executor;
+mod first_plan;
 mod force_ramp;
 mod knots;
 mod measured_motion;
@@ -34,6 +35,7 @@ pub use execution::{Ending, Execution, Pause, StopCause, StopKind};
 pub use executor::{
     Executor, ExecutorError, NoExecutor, RecordedRound, Recording, RobotState, SampleSink,
 };
+pub use first_plan::FirstPlan;
 pub use force_ramp::ForceRamp;
 pub use order::{MotionOrder, Setpoint};
 pub use own_strategy::OwnStrategy;

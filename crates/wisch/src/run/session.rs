@@ -1,14 +1,16 @@
 //! The loop itself: a session advances one stage at a time.
 
 mod executing;
+mod first;
 mod planning;
 
 use super::detections::check_detections;
 use super::measured_motion::MeasuredEnd;
 use super::stance::root_pose;
 use super::{
-    AfterStop, Ending, Execution, Executor, ExecutorError, Observer, OwnStrategy, PlannedRound,
-    RobotSetup, RobotState, Round, RunConfig, RunError, RunEvent, RunWarning, WarningWatch,
+    AfterStop, Ending, Execution, Executor, ExecutorError, FirstPlan, Observer, OwnStrategy,
+    PlannedRound, RobotSetup, RobotState, Round, RunConfig, RunError, RunEvent, RunWarning,
+    WarningWatch,
 };
 use crate::follow::{Audit, FollowError, Workcell, WorkcellConfig, audit, follow, retreat};
 use crate::interpret::{Belief, Doubt, Interpretation, Interpreter, ObservationUpdate};
@@ -75,6 +77,10 @@ pub struct Session<'a> {
     /// moves.
     cell: OnceLock<Result<Arc<Workcell>, FollowError>>,
     given: Option<Plan>,
+    /// The plan of another session for the first round, until this session plans.
+    first: Option<FirstPlan<'a>>,
+    /// Whether the first round uses it.
+    is_first_used: bool,
     own: Option<OwnStrategy<'a>>,
     goal: Option<GoalState>,
     judge: TerminationPolicy,
@@ -130,6 +136,8 @@ impl<'a> Session<'a> {
             workcell: config.workcell.clone(),
             cell: OnceLock::new(),
             given: None,
+            first: None,
+            is_first_used: false,
             own: None,
             goal: None,
             judge: TerminationPolicy::new(config.target, config.pace),
@@ -475,8 +483,8 @@ impl<'a> Session<'a> {
     ) -> Result<Stage, RunError> {
         let planned = match next {
             NextPlan::Alone(plan) => self.compute_motion(plan, observer).map(Box::new),
-            NextPlan::Followed(planned) => {
-                report_motion(&planned, observer);
+            NextPlan::Followed(planned, progress) => {
+                report_motion(&planned, &progress, observer);
                 Ok(planned)
             }
         };
@@ -741,8 +749,9 @@ impl<'a> Session<'a> {
     }
 }
 
-/// Reports a motion that was computed earlier to the observer, as if it were computed now.
-fn report_motion(planned: &PlannedRound, observer: &mut Observer<'_>) {
+/// Reports a motion that was computed earlier to the observer, as if it were computed now. `progress`: numbers of nodes that
+/// the computation passed.
+fn report_motion(planned: &PlannedRound, progress: &[usize], observer: &mut Observer<'_>) {
     let PlannedRound {
         number: round,
         task,
@@ -750,11 +759,13 @@ fn report_motion(planned: &PlannedRound, observer: &mut Observer<'_>) {
         ..
     } = planned;
     let nodes = plan.strokes.iter().map(|stroke| stroke.nodes.len()).sum();
-    let _ = observer(&RunEvent::Following {
-        round: *round,
-        passed: nodes,
-        nodes,
-    });
+    for passed in progress {
+        let _ = observer(&RunEvent::Following {
+            round: *round,
+            passed: *passed,
+            nodes,
+        });
+    }
     let wiped = planned.executable_plan();
     predict(task, &wiped, |progress| {
         let _ = observer(&RunEvent::Predicting {

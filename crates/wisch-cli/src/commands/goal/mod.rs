@@ -9,4 +9,4 @@ mod task;
 pub(super) use episode::{GoalEpisode, read_step_number};
 pub(super) use session::GoalRun;
 pub(super) use summary::{GoalPart, GoalSummary, TakenStep};
-pub(super) use task::{GoalTask, read_goal};
+pub(super) use task::{GoalTask, KeptPlan, read_goal};

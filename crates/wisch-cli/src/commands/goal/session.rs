@@ -8,7 +8,7 @@ use super::summary::{
     AssumedTimes, CHANGE, EMPTY, GoalPart, GoalSummary, SCHEMA, SPEED, TakenStep,
 };
 use super::summary::{describe_sequence, describe_step, measure_time};
-use super::task::{Expected, GoalTask};
+use super::task::{Expected, GoalTask, KeptPlan};
 use crate::args::TaskArgs;
 use crate::failure::Failure;
 use crate::terminal::remark;
@@ -27,6 +27,8 @@ const TRIES: u32 = 2;
 pub struct GoalRun<'a> {
     task: &'a GoalTask<'a>,
     situation: Situation<'a>,
+    /// The plans of the possible actions that no step has tried.
+    plans: BTreeMap<Wiping, KeptPlan<'a>>,
     is_executed: bool,
     out: PathBuf,
     steps: Vec<TakenStep>,
@@ -67,16 +69,27 @@ impl StepTimes for TakenTimes<'_> {
     }
 }
 
+/// Executes a wiping step, with its arguments, the folder of its results, and its plan if one is kept.
+type WipeStep<'w, 'a> =
+    dyn FnMut(&TaskArgs, &Path, Option<KeptPlan<'a>>) -> Result<SurfaceOutcome, Failure> + 'w;
+
 impl<'a> GoalRun<'a> {
     /// Creates the run before its first step.
     ///
-    /// `is_executed`: whether steps are executed; otherwise each is assumed to succeed. `out`: folder of results.
+    /// `plans`: plans of the actions, for their steps. `is_executed`: whether steps are executed; otherwise each is assumed to
+    /// succeed. `out`: folder of results.
     ///
     /// # Errors
     /// If the task does not fit the knowledge base.
-    pub fn begin(task: &'a GoalTask<'a>, is_executed: bool, out: PathBuf) -> Result<Self, Failure> {
+    pub fn begin(
+        task: &'a GoalTask<'a>,
+        plans: BTreeMap<Wiping, KeptPlan<'a>>,
+        is_executed: bool,
+        out: PathBuf,
+    ) -> Result<Self, Failure> {
         Ok(Self {
             task,
+            plans,
             situation: task.situation()?,
             is_executed,
             out,
@@ -94,14 +107,13 @@ impl<'a> GoalRun<'a> {
 
     /// Executes the steps, and plans anew after a step that missed its goal.
     ///
-    /// `wipe`: executes a wiping step, with its arguments and the folder of its results. Returns the summary, and the failure of
-    /// a step that ended the run.
+    /// `wipe`: executes a wiping step. Returns the summary, and the failure of a step that ended the run.
     ///
     /// # Errors
     /// If planning fails, or if `wipe` fails before any wiping step is finished.
     pub fn run(
         mut self,
-        wipe: &mut dyn FnMut(&TaskArgs, &Path) -> Result<SurfaceOutcome, Failure>,
+        wipe: &mut WipeStep<'_, 'a>,
     ) -> Result<(GoalSummary, Option<Failure>), Failure> {
         let mut sequence = self.plan_remaining_steps()?;
         let expected_s = sequence.time();
@@ -124,7 +136,8 @@ impl<'a> GoalRun<'a> {
                 &wiping,
                 &self.list_dirt_settings(&wiping),
             )?;
-            let wiped = match wipe(&args, &folder) {
+            let plan = self.take_plan(&wiping);
+            let wiped = match wipe(&args, &folder, plan) {
                 Ok(wiped) => wiped,
                 Err(failure) => {
                     let failure = failure.after(&format!("step {number}, {wiping}"));
@@ -180,6 +193,16 @@ impl<'a> GoalRun<'a> {
             }
         }
         Ok((self.finish(expected_s), broken))
+    }
+
+    /// Takes the plan for the first try of a wiping action. The plans of other tools for its medium on its surface are for the
+    /// dirt before this try, so they are dropped.
+    fn take_plan(&mut self, wiping: &Wiping) -> Option<KeptPlan<'a>> {
+        let plan = self.plans.remove(wiping);
+        self.plans.retain(|other, _| {
+            (&other.medium, &other.surface) != (&wiping.medium, &wiping.surface)
+        });
+        plan
     }
 
     /// Counts a try whose goal was not met, and rules out the actions that shall not be tried again.

@@ -8,13 +8,16 @@ use super::summary::{CHANGE, EMPTY, ExpectedAction, SPEED};
 use crate::args::{RobotArgs, TaskArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use wisch::geometry::Point2;
 use wisch::goal::{Sequence, Situation, StepPlace, StepTimes, Wiping};
 use wisch::represent::Action;
-use wisch::run::{NoExecutor, RunConfig, Stage};
-use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot};
+use wisch::run::{Executor, FirstPlan, NoExecutor, RunConfig, Session};
+use wisch_io::{GoalFile, KeptFiles, LoadOptions, LoadedTask, Robot, RoundTimes};
+use wisch_record::{RunSink, StageSink};
+use wisch_sim::{WorkSurface, World};
 
 /// Least predicted performance at which further rounds are expected to reach a target [1].
 const LEAST_PREDICTED: f64 = 0.05;
@@ -35,6 +38,14 @@ pub(super) enum Expected {
     Impossible(String),
 }
 
+/// The plan by which the time of a wiping action was predicted, kept for the first round of its step.
+pub struct KeptPlan<'a> {
+    /// The plan, with its motion if there is a robot.
+    pub first: Box<FirstPlan<'a>>,
+    /// Computation times of its stages.
+    pub times: RoundTimes,
+}
+
 /// A task with a goal of several parts, and the expectations of the actions that may serve it.
 pub struct GoalTask<'a> {
     pub(super) args: &'a TaskArgs,
@@ -49,6 +60,8 @@ pub struct GoalTask<'a> {
     pub(super) observed: BTreeSet<Wiping>,
     /// The planned strokes of the possible actions, and the dirt that they are predicted to collect.
     swept: BTreeMap<Wiping, SweptSurface>,
+    /// The plans of the possible actions.
+    plans: BTreeMap<Wiping, KeptPlan<'a>>,
 }
 
 /// Reads the task if its goal has several parts; otherwise returns `None`.
@@ -69,14 +82,16 @@ pub fn read_goal(args: &TaskArgs) -> Result<Option<GoalFile>, Failure> {
 impl<'a> GoalTask<'a> {
     /// Plans every action that may serve the goal, and predicts its time and performance.
     ///
-    /// `robot`: the robot that follows the plans; `None` to plan the strokes only.
+    /// `robot`: the robot that follows the plans; `None` to plan the strokes only. `is_run`: whether the steps are to be executed,
+    /// so that the camera, if there is one, first observes the dirt. `known`: receives the robot once it is read.
     ///
     /// # Errors
     /// If the goal or the robot is invalid. An action that cannot be planned is no error, but impossible.
     pub fn evaluate(
         args: &'a TaskArgs,
         file: &'a GoalFile,
-        robot: Option<&RobotArgs>,
+        (robot, is_run): (Option<&RobotArgs>, bool),
+        known: &'a OnceCell<Robot>,
         progress: &Progress,
     ) -> Result<Self, Failure> {
         let situation = file
@@ -91,8 +106,8 @@ impl<'a> GoalTask<'a> {
             targets: BTreeMap::new(),
             observed: BTreeSet::new(),
             swept: BTreeMap::new(),
+            plans: BTreeMap::new(),
         };
-        let mut known: Option<Robot> = None;
         let wipings = situation.list_possible_wipings(&file.goal);
         for (wiping, number) in wipings.iter().zip(1..) {
             progress.say(format!("planning {wiping} ({number} of {})", wipings.len()));
@@ -112,19 +127,29 @@ impl<'a> GoalTask<'a> {
                 .map(|robot| Chosen::new(robot, &loaded))
                 .transpose()?
                 .flatten();
-            if let (Some(chosen), None) = (&chosen, &known) {
-                known = Some(read_robot(chosen, &part)?);
+            if let (Some(chosen), None) = (&chosen, known.get()) {
+                let read = read_robot(chosen, &part)?;
+                known.get_or_init(|| read);
             }
-            let robot = chosen.as_ref().zip(known.as_ref());
+            let robot = chosen.as_ref().zip(known.get());
             task.has_robot |= robot.is_some();
             if loaded.file.camera.is_some() {
                 task.observed.insert(wiping.clone());
             }
             task.targets.insert(wiping.clone(), loaded.run.target);
-            let (expected, swept) = estimate_action(&loaded, robot);
+            let expected = match estimate_action(&loaded, robot, is_run) {
+                Ok(Expectation {
+                    expected,
+                    swept,
+                    plan,
+                }) => {
+                    task.swept.insert(wiping.clone(), swept);
+                    task.plans.extend(plan.map(|plan| (wiping.clone(), plan)));
+                    expected
+                }
+                Err(why) => Expected::Impossible(why),
+            };
             task.expected.insert(wiping.clone(), expected);
-            task.swept
-                .extend(swept.map(|swept| (wiping.clone(), swept)));
         }
         Ok(task)
     }
@@ -162,6 +187,11 @@ impl<'a> GoalTask<'a> {
         let share = swept.share_covered(heap).map_err(internal)?;
         let target = self.targets.get(collecting).copied();
         Ok(share > 1.0 - target.unwrap_or(1.0))
+    }
+
+    /// Takes the plans of the possible actions, for the steps.
+    pub fn take_plans(&mut self) -> BTreeMap<Wiping, KeptPlan<'a>> {
+        std::mem::take(&mut self.plans)
     }
 
     /// Whether a robot follows the strokes.
@@ -278,40 +308,60 @@ impl StepTimes for GoalTask<'_> {
     }
 }
 
-/// Plans the task of an action, with the robot if there is one, and predicts time and performance. Also returns the planned
-/// strokes if the action is possible.
-fn estimate_action(
-    loaded: &LoadedTask,
-    robot: Option<(&Chosen<'_>, &Robot)>,
-) -> (Expected, Option<SweptSurface>) {
-    match estimate_strokes(loaded, robot) {
-        Ok((expected, swept)) => (expected, Some(swept)),
-        Err(why) => (Expected::Impossible(why), None),
-    }
+/// What is known of a possible action.
+struct Expectation<'r> {
+    expected: Expected,
+    /// The planned strokes.
+    swept: SweptSurface,
+    plan: Option<KeptPlan<'r>>,
 }
 
-/// Plans and predicts like [`estimate_action`]; the error is the reason why the action is impossible.
-fn estimate_strokes(
+/// Plans the task of an action, with the robot if there is one, and predicts time and performance. In a run with a camera, the
+/// plan is for the observed dirt, as in the first round of the step, or for the task's estimate if no such plan serves. The
+/// error is the reason why the action is impossible.
+fn estimate_action<'r>(
     loaded: &LoadedTask,
-    robot: Option<(&Chosen<'_>, &Robot)>,
-) -> Result<(Expected, SweptSurface), String> {
+    robot: Option<(&Chosen<'_>, &'r Robot)>,
+    is_run: bool,
+) -> Result<Expectation<'r>, String> {
+    if is_run && robot.is_some() && loaded.run.sight.is_some() {
+        let surface = WorkSurface::from_task(&loaded.task);
+        let world = World::new(&surface, loaded.simulation.clone(), loaded.task.seed);
+        let observed = world.map_err(|error| error.to_string());
+        let observed =
+            observed.and_then(|mut world| estimate_action_with(loaded, robot, &mut world));
+        if observed.is_ok() {
+            return observed;
+        }
+    }
+    estimate_action_with(loaded, robot, &mut NoExecutor)
+}
+
+/// Plans and predicts like [`estimate_action`]. `executor`: observes the dirt before the plan if it has a camera, and moves nothing.
+fn estimate_action_with<'r>(
+    loaded: &LoadedTask,
+    robot: Option<(&Chosen<'_>, &'r Robot)>,
+    executor: &mut dyn Executor,
+) -> Result<Expectation<'r>, String> {
     let config = RunConfig {
         workcell: robot.map_or_else(Default::default, |(chosen, _)| {
             workcell_config(chosen, loaded)
         }),
         ..loaded.run.clone()
     };
-    let mut session = wisch::run::Session::new(&loaded.task, config).with_belief(loaded.belief());
-    let until = match robot {
-        Some((_, robot)) => {
-            session = session.with_robot(robot.robot_setup());
-            Stage::Audited
-        }
-        None => Stage::Planned,
-    };
-    let mut ignore = |_: &wisch::run::RunEvent<'_>| ControlFlow::Continue(());
-    if let Err(error) = session.run_until(until, &mut NoExecutor, &mut ignore) {
-        return Err(error.to_string());
+    let mut session = Session::new(&loaded.task, config).with_belief(loaded.belief());
+    if let Some((_, robot)) = robot {
+        session = session.with_robot(robot.robot_setup());
+    }
+    let mut stages = StageSink::default();
+    let first = session.plan_first(executor, &mut |event| {
+        // It measures times only, and never fails.
+        let _ = stages.on_event(event);
+        ControlFlow::Continue(())
+    });
+    let first = first.map_err(|error| error.to_string())?;
+    if session.unseen_dirt().is_some() {
+        return Err("the camera detects no dirt".to_owned());
     }
     let (round_s, prediction, plan) = match (session.first_motion(), session.plan()) {
         (Some((_, audit)), _) if !audit.is_sound() => {
@@ -370,5 +420,104 @@ fn estimate_strokes(
         collected: find_collected(&prediction.particles, plan.graph.goal),
         plans: vec![(loaded.task.clone(), plan)],
     };
-    Ok((expected, swept))
+    let times = *stages.round(1);
+    let plan = first.map(|first| KeptPlan {
+        first: Box::new(first),
+        times,
+    });
+    Ok(Expectation {
+        expected,
+        swept,
+        plan,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::job::{Job, RoundStart};
+    use super::*;
+    use crate::args::{Cli, Command};
+    use wisch::run::ignore_events;
+    use wisch_io::{Leftover, OutputFolder, Replaceable};
+    use wisch_record::RunClock;
+
+    /// Two media on a board before an arm, with a rack of tools.
+    const BOARD: &str = r#"
+        schema = 1
+        name = "board"
+        seed = 1
+        goal = "(and (collected breadcrumbs chopping_board) (absorbed water chopping_board))"
+        strategy = "kde"
+        [tool]
+        rack = [{ name = "sponge" }, { name = "brush" }]
+        [surface]
+        name = "chopping_board"
+        size_m = [0.28, 0.20]
+        position_m = [0.0, 0.0, 0.77]
+        [[medium]]
+        name = "water"
+        particles = { source = "clusters", count = 20, clusters = [{ center_m = [-0.08, 0.04], sigma_m = 0.02 }] }
+        [[medium]]
+        name = "breadcrumbs"
+        particles = { source = "uniform", count = 20 }
+        collect = { goal_m = [0.06, -0.03] }
+        [perception]
+        senses = ["touch", "sight"]
+        [robot]
+        name = "arm7"
+        position_m = [0.0, -0.45, 0.75]
+        rpy_rad = [0.0, 0.0, 1.5707963267948966]
+    "#;
+
+    #[test]
+    fn the_plan_that_predicts_a_step_is_the_plan_of_its_first_round() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("board.toml");
+        std::fs::write(&path, BOARD).expect("written");
+        let words = ["wisch".as_ref(), "run".as_ref(), path.as_os_str()];
+        let cli = Cli::read(&words.map(std::ffi::OsStr::to_owned)).expect("a command");
+        let Command::Run(run) = &cli.command else {
+            panic!("another command");
+        };
+        let (task_args, robot_args) = (&run.follow.task, &run.follow.robot);
+        let file = read_goal(task_args).expect("a task").expect("two parts");
+        let (known, progress) = (OnceCell::new(), Progress::start(&cli.global));
+        let robot = (Some(robot_args), true);
+        let task = GoalTask::evaluate(task_args, &file, robot, &known, &progress);
+        let mut task = task.expect("an evaluation");
+        let plans = task.take_plans();
+        assert!(plans.len() >= 2, "{:?}", task.expected);
+        assert!(plans.keys().all(|wiping| task.wiping(wiping).is_some()));
+
+        let situation = task.situation().expect("a situation");
+        let out = folder.path().join("out");
+        let out = OutputFolder::begin(&out, Leftover::Remove, Replaceable::All).expect("a folder");
+        for (wiping, kept) in plans {
+            let args = task.part(&situation, &wiping, &[]).expect("a part");
+            let prepared = load(&args, &KeptFiles::default()).expect("a task");
+            let chosen = Chosen::new(robot_args, &prepared).expect("a robot");
+            let chosen = chosen.expect("a robot");
+            let read = read_robot(&chosen, &args).expect("a robot");
+            let job = Job {
+                task_args: &args,
+                prepared: &prepared,
+                robot: Some((&chosen, &read)),
+                folder: &out,
+                progress: &progress,
+                clock: RunClock::start(),
+            };
+            let start = RoundStart {
+                given: None,
+                kept: Some(kept),
+            };
+            let mut session = job.session(job.config(Some(&run.rounds)), start);
+            // The world of the step shows the same dirt as the world of the prediction.
+            let surface = WorkSurface::from_task(&prepared.task);
+            let world = World::new(&surface, prepared.simulation.clone(), prepared.task.seed);
+            let step = session.step(&mut world.expect("a world"), &mut ignore_events);
+            step.expect("a plan");
+            assert!(session.first_observation().is_some());
+            assert!(session.has_used_first_plan(), "{wiping} is planned twice");
+        }
+    }
 }

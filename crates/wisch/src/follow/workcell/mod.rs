@@ -44,7 +44,7 @@ pub enum AllowedContact {
 }
 
 /// The planning group, and the robot's pose.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WorkcellConfig {
     /// Name of the SRDF's group; `None` takes its first, see [`PlanningGroup::choose`].
     pub group: Option<String>,

@@ -14,15 +14,22 @@ use crate::run::{CandidateEvaluation, Observer, PlannedRound, RunError, RunEvent
 pub(super) enum NextPlan {
     /// A plan for which no motion was computed yet.
     Alone(Plan),
-    /// A plan that was chosen with its motion.
-    Followed(Box<PlannedRound>),
+    /// A plan with its motion, and the numbers of nodes that the computation of the motion passed.
+    Followed(Box<PlannedRound>, Vec<usize>),
 }
 
 impl NextPlan {
+    /// Takes a plan that was chosen with its motion.
+    fn from_chosen(planned: Box<PlannedRound>) -> Self {
+        let strokes = planned.plan.strokes.iter();
+        let nodes = strokes.map(|stroke| stroke.nodes.len()).sum();
+        Self::Followed(planned, vec![nodes])
+    }
+
     pub(super) fn plan(&self) -> &Plan {
         match self {
             Self::Alone(plan) => plan,
-            Self::Followed(planned) => &planned.plan,
+            Self::Followed(planned, _) => &planned.plan,
         }
     }
 }
@@ -33,6 +40,9 @@ impl Session<'_> {
         &mut self,
         observer: &mut Observer<'_>,
     ) -> Result<Option<NextPlan>, RunError> {
+        if let Some(next) = self.take_first_plan(observer) {
+            return Ok(Some(next));
+        }
         let (task, config) = (&self.task, &self.config);
         if let (Some(own), None) = (&self.own, &self.given) {
             let plan = own.plan(task, config.plan.lift_height)?;
@@ -149,7 +159,7 @@ impl Session<'_> {
                 considered: &considered,
             });
             return Ok(match best {
-                Some(planned) => NextPlan::Followed(planned),
+                Some(planned) => NextPlan::from_chosen(planned),
                 None => NextPlan::Alone(highest_score(
                     considered.into_iter().map(|one| one.candidate),
                 )?),
@@ -162,6 +172,6 @@ impl Session<'_> {
         }
         let follow = |plan| self.compute_motion(plan, &mut ignore_events);
         let (_, round) = evaluate_within_reach(&planner, plan, &follow)?;
-        Ok(NextPlan::Followed(Box::new(round)))
+        Ok(NextPlan::from_chosen(Box::new(round)))
     }
 }
