@@ -67,7 +67,9 @@ impl<'a> PlanSource<'a> {
     fn read(self, prepared: &mut LoadedTask) -> Result<RoundStart<'a>, Failure> {
         Ok(match self {
             Self::File(path) => RoundStart {
-                given: path.map(|path| read_given_plan(path, prepared)).transpose()?,
+                given: path
+                    .map(|path| read_given_plan(path, prepared))
+                    .transpose()?,
                 kept: None,
             },
             Self::Kept(kept) => RoundStart { given: None, kept },

@@ -493,7 +493,9 @@ mod tests {
         let out = folder.path().join("out");
         let out = OutputFolder::begin(&out, Leftover::Remove, Replaceable::All).expect("a folder");
         for (wiping, kept) in plans {
-            let args = task.part(&situation, &wiping, &[]).expect("a part");
+            let args = task
+                .build_part_arguments(&situation, &wiping, &[])
+                .expect("a part");
             let prepared = load(&args, &KeptFiles::default()).expect("a task");
             let chosen = Chosen::new(robot_args, &prepared).expect("a robot");
             let chosen = chosen.expect("a robot");
