@@ -128,6 +128,12 @@ pub struct Skipped {
 }
 
 impl Skipped {
+    fn of_log(raw: &RawLog) -> Vec<Self> {
+        let poses = Self::of(&raw.poses.first_skipped, raw.poses.skipped);
+        let wrenches = Self::of(&raw.wrenches.first_skipped, raw.wrenches.skipped);
+        poses.into_iter().chain(wrenches).collect()
+    }
+
     fn of(first: &Option<(String, QuantityError)>, count: usize) -> Option<Self> {
         first.as_ref().map(|(place, error)| Self {
             count,
@@ -372,14 +378,7 @@ fn combine(
     } else {
         None
     };
-    let held = find_held_forces(&raw.wrenches.entries);
-    let held = held.map(|(measured, period)| {
-        raw.wrenches.entries = measured;
-        format!(
-            "{} repeats each measurement until the next one, {period:.2} s later: only the first of equal forces is used",
-            raw.wrenches.name
-        )
-    });
+    let held = take_out_repetitions(&mut raw);
     let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
     let first = pairs[0].0;
     let world = World::of(&raw, options)?;
@@ -391,6 +390,7 @@ fn combine(
     }
     let sensor = Sensor::of(&raw, options)?;
     let start = raw.start.unwrap_or(first);
+    let since_start = |time: i64| seconds(time.saturating_sub(start));
     let length = options.length_unit.unwrap_or(1.0);
     let force_unit = options.force_unit.unwrap_or(1.0);
     let sign = match options.sign.or(raw.sign).unwrap_or(WrenchSign::OnTool) {
@@ -413,7 +413,7 @@ fn combine(
         };
         let force = correction.remove_bias(force * force_unit) * sign;
         Some(TouchSample {
-            time: seconds(time.saturating_sub(start)),
+            time: since_start(time),
             world_from_tool: world_from_logged * options.logged_from_tool,
             force: correction.without_weight(world_from_axes * sensor.turned * force),
         })
@@ -425,10 +425,6 @@ fn combine(
         });
     }
     let frequent = raw.poses.entries.len().max(raw.wrenches.entries.len());
-    let skipped = [
-        Skipped::of(&raw.poses.first_skipped, raw.poses.skipped),
-        Skipped::of(&raw.wrenches.first_skipped, raw.wrenches.skipped),
-    ];
     let remarks = raw
         .remarks
         .iter()
@@ -445,12 +441,7 @@ fn combine(
         remarks,
         gaps: gaps(&samples, options.max_gap),
         poses_alone: find_poses_alone(&raw, &poses)
-            .map(|(time, pose)| {
-                (
-                    seconds(time.saturating_sub(start)),
-                    pose * options.logged_from_tool,
-                )
-            })
+            .map(|(time, pose)| (since_start(time), pose * options.logged_from_tool))
             .collect(),
         unpaired: frequent.saturating_sub(samples.len() + unusable.count()),
         samples,
@@ -470,7 +461,7 @@ fn combine(
         round: raw.round,
         observations: raw.looks.clone(),
         repeated: raw.poses.repeated + raw.wrenches.repeated,
-        skipped: skipped.into_iter().flatten().collect(),
+        skipped: Skipped::of_log(&raw),
         is_unfinished: raw.unfinished,
     })
 }
@@ -526,6 +517,16 @@ fn leave_out_unusable(
         quality.is_usable() && !has_frozen_pose
     });
     (unusable, saturated)
+}
+
+/// Leaves only the first of equal forces that a writer repeats, with a remark on that.
+fn take_out_repetitions(raw: &mut RawLog) -> Option<String> {
+    let (measured, period) = find_held_forces(&raw.wrenches.entries)?;
+    raw.wrenches.entries = measured;
+    Some(format!(
+        "{} repeats each measurement until the next one, {period:.2} s later: only the first of equal forces is used",
+        raw.wrenches.name
+    ))
 }
 
 /// Returns the poses before the first force and after the last, with their times \[ns\]. `poses`: in the world.

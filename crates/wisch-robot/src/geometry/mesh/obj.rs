@@ -64,6 +64,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut continued: Option<(usize, String)> = None;
     let lines = bytes.split(|byte| *byte == b'\n').enumerate();
     for (number, line) in lines.flat_map(|(i, line)| {
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
         // Some programs end lines with a carriage return alone.
         line.split(|byte| *byte == b'\r')
             .map(move |line| (i + 1, line))
