@@ -105,6 +105,19 @@ fn a_gantry_that_reaches_only_below_its_root_is_set_up_and_wipes() {
     let summary = follow(folder.path(), "gantry.urdf");
     assert_eq!(summary["abandoned_nodes"], 0);
     assert_eq!(summary["faults"], 0);
+
+    // Without the rotation, no joint direction moves the tool in yaw alone, and the tool keeps its heading.
+    let yaw = r#"<joint name="yaw" type="revolute">"#;
+    let rigid = GANTRY.replace(yaw, &yaw.replace("revolute", "fixed"));
+    fs::write(folder.path().join("rigid.urdf"), rigid).expect("a URDF");
+    let (code, _, err) = setup(folder.path(), &["rigid.urdf"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let args = ["follow", "task.toml", "--robot", "rigid.urdf", "--json"];
+    let (code, _, err) = wisch(folder.path(), &args);
+    assert!(
+        code != 2 && !err.contains("internal error"),
+        "{code}: {err}"
+    );
 }
 
 #[test]

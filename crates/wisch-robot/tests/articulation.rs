@@ -220,3 +220,32 @@ fn wrong_lengths_and_numbers_are_refused() {
     bad[0] = f64::NAN;
     assert!(new(&bad, &all).is_err());
 }
+
+/// Both stages of a telescopic lift move by the same distance.
+#[test]
+fn a_joint_that_follows_with_the_factor_1_is_no_variable() {
+    let stage = |name: &str, parent: &str, child: &str, mimic: &str| {
+        format!(
+            r#"<link name="{child}"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+            <joint name="{name}" type="prismatic"><parent link="{parent}"/><child link="{child}"/><axis xyz="0 0 1"/>
+            <limit lower="0" upper="1" velocity="1" effort="500"/>{mimic}</joint>"#
+        )
+    };
+    let urdf = format!(
+        r#"<robot name="lift"><link name="base"/>{}{}</robot>"#,
+        stage("first", "base", "a", ""),
+        stage("second", "a", "b", r#"<mimic joint="first"/>"#)
+    );
+    let robot = RobotModel::from_urdf("lift", &urdf, &mut |_| Err(String::new())).unwrap();
+    let lift = Articulation::new(&robot, &Pose::identity(), &[0.2], &[true], &[]).unwrap();
+    let are_variables: Vec<bool> = lift
+        .joints()
+        .iter()
+        .map(|joint| joint.is_variable)
+        .collect();
+    assert_eq!(are_variables, [true, false]);
+    // The upper stage moves by twice the distance.
+    let mut state = lift.state();
+    lift.evaluate(&mut state, &[0.2], &[0.0], GRAVITY);
+    assert!((state.mass_matrix()[(0, 0)] - (2.0 + 2.0 * 4.0)).abs() < TOLERANCE);
+}

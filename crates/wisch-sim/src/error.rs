@@ -51,4 +51,15 @@ pub enum SimulationError {
         /// "rad", or "m" for a prismatic joint.
         unit: &'static str,
     },
+    /// A joint that follows others does not stay with them: the simulation holds it to them by a spring, which oscillates if the
+    /// joint's link is much lighter than what it carries.
+    #[error(
+        "the simulation of the robot is wrong: at {time:.3} s joint {joint:?}, which follows others (<mimic>), oscillates against them, as its link is too light for what it carries; execute the motions elsewhere with --executor, or make the link heavier"
+    )]
+    Oscillates {
+        /// Simulated time of the failure \[s\].
+        time: f64,
+        /// Name of the joint.
+        joint: String,
+    },
 }

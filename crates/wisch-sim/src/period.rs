@@ -388,6 +388,12 @@ impl<'a> Simulation<'a> {
 
     /// Checks that the state of the simulated robot is finite and physically possible.
     fn check(&self) -> Result<(), SimulationError> {
+        if let Some(id) = self.plant.find_oscillating_follower() {
+            return Err(SimulationError::Oscillates {
+                time: self.time,
+                joint: self.cell.robot().joints()[id.index()].name.clone(),
+            });
+        }
         for (i, &velocity) in self.qd.iter().enumerate() {
             if velocity.abs() > MAX_VELOCITY
                 || !velocity.is_finite()

@@ -212,3 +212,24 @@ impl BendContactRecord {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::BendContactRecord;
+
+    #[test]
+    fn the_contact_of_a_flat_mesh_is_read_as_it_was_written() {
+        let record = BendContactRecord {
+            touched_share_least: 1.0,
+            touched_share_most: 1.0,
+            pressure_least: 1.0,
+            pressure_most: 1.0,
+            fitting_length_m: None,
+            compression_m: 0.005,
+        };
+        let text = serde_json::to_string(&record).unwrap();
+        let read: BendContactRecord = serde_json::from_str(&text).unwrap();
+        assert_eq!(read, record);
+        assert_eq!(read.contact().fitting_length, f64::INFINITY);
+    }
+}

@@ -11,13 +11,17 @@ use rapier3d_f64::dynamics::{
 };
 use rapier3d_f64::math as engine;
 use rapier3d_f64::pipeline::PhysicsWorld;
-use wisch::robot::{ArticulatedJoint, Articulation, ArticulationState, Body};
+use wisch::robot::{ArticulatedJoint, Articulation, ArticulationState, Body, JointId};
 
 /// Natural frequency of joints that follow others and of drives that hold a position [rad/s].
 const COUPLING_RATE: f64 = 250.0;
 const SERVO_RATE: f64 = 100.0;
 /// Natural frequency of the drives of an arm that the tool leads along [rad/s].
 const LED_RATE: f64 = 5.0;
+/// Least rate of the gap between a following joint and its leaders [rad/s or m/s], and number of its reversals in a row, at which
+/// the joint oscillates.
+const LEAST_RATE: f64 = 0.05;
+const MOST_REVERSALS: usize = 30;
 /// Damping of a joint's friction below its limit [Nm s/rad or N s/m]: practically rigid.
 const BRAKE_DAMPING: f64 = 1e5;
 /// The engine's axes, in its order.
@@ -61,6 +65,18 @@ pub(super) struct Coupling {
     pub(super) link: usize,
     pub(super) stiffness: f64,
     pub(super) damping: f64,
+    /// Rate at which the gap closed in the last period [rad/s or m/s], and number of periods in a row in which it changed its
+    /// sign.
+    pub(super) last_rate: f64,
+    pub(super) reversals: usize,
+}
+
+impl Coupling {
+    fn note_rate(&mut self, rate: f64) {
+        let reverses = rate * self.last_rate < 0.0 && rate.abs() > LEAST_RATE;
+        self.reversals = if reverses { self.reversals + 1 } else { 0 };
+        self.last_rate = rate;
+    }
 }
 
 /// Adds the bodies of all joints, linked as in the articulation; `None` if nothing moves.
@@ -178,6 +194,8 @@ impl Plant {
                     link: i,
                     stiffness: inertia * COUPLING_RATE * COUPLING_RATE,
                     damping: 2.0 * inertia * COUPLING_RATE,
+                    last_rate: 0.0,
+                    reversals: 0,
                 });
             }
         }
@@ -288,13 +306,14 @@ impl Plant {
     }
 
     /// Computes the efforts that hold following joints to their leaders, and the reactions on the leaders [Nm or N].
-    fn couple(&self, state: &ArticulationState, joint_efforts: &mut [f64]) {
+    fn couple(&mut self, state: &ArticulationState, joint_efforts: &mut [f64]) {
         joint_efforts.fill(0.0);
-        let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
-            return;
-        };
-        let velocities = multibody.generalized_velocity();
-        for coupling in &self.couplings {
+        for i in 0..self.couplings.len() {
+            let Some((multibody, _)) = self.world.multibody_joints.get(self.multibody) else {
+                return;
+            };
+            let velocities = multibody.generalized_velocity();
+            let coupling = self.couplings[i];
             let joint = &self.articulation.joints()[coupling.link];
             // Gap g = q_f − (offset + Σ cᵢ qᵢ); effort τ = τ_ff − k g − d ġ, and −cᵢ τ acts on each leader.
             let mut error = self.coordinate(&self.links[coupling.link]) - joint.offset;
@@ -314,7 +333,16 @@ impl Plant {
                     joint_efforts[k] -= factor * effort;
                 }
             }
+            self.couplings[i].note_rate(rate);
         }
+    }
+
+    /// Returns a joint that oscillates from period to period against the joints that it follows: the simulation of this robot is
+    /// wrong.
+    pub(crate) fn find_oscillating_follower(&self) -> Option<JointId> {
+        let oscillates = |coupling: &&Coupling| coupling.reversals >= MOST_REVERSALS;
+        let found = self.couplings.iter().find(oscillates)?;
+        Some(self.articulation.joints()[found.link].id)
     }
 
     fn link_of(&self, variable: usize) -> Option<usize> {

@@ -32,6 +32,9 @@ const EFFORT_SHARE: f64 = 0.98;
 const LEAST_LEFT: f64 = 1e-3;
 /// Step in which an arc of the line is compared [m or rad].
 const LINE_STEP: f64 = 1e-3;
+/// Largest distance from the tool of the points of its line that it may skip where it rounds a corner, beyond its deviation
+/// [m]; larger than any permitted deviation.
+const MOST_SKIPPED: f64 = 2e-3;
 /// Largest step of a variable for which a limit of the tool's speed is computed [rad or m].
 const MAX_STEP: f64 = 0.05;
 /// Number of parts of a step over which the speed of the tool is compared.
@@ -517,18 +520,19 @@ impl Line {
     }
 
     /// Returns the deviation of a pose from the line; searches from index `at` on, which advances.
+    ///
+    /// The search ends where the line leads away from the tool: a line may return to the same place later.
     fn deviation(&self, at: &mut usize, pose: &Pose) -> LineDeviation {
         let measure = |i: usize| between(&self.poses[i], &self.poses[i + 1], pose);
-        let cost = |off: &LineDeviation| off.position + 0.1 * off.rotation;
         let last = self.poses.len() - 2;
         let mut best = measure(*at);
-        // Far enough to pass the points that a rounded corner may skip.
-        const AHEAD: usize = 120;
-        for i in *at + 1..=(*at + AHEAD).min(last) {
+        for i in *at + 1..=last {
             let off = measure(i);
             if cost(&off) < cost(&best) {
                 best = off;
                 *at = i;
+            } else if cost(&off) > cost(&best) + MOST_SKIPPED {
+                break;
             }
         }
         best
@@ -554,5 +558,36 @@ fn between(from: &Pose, to: &Pose, pose: &Pose) -> LineDeviation {
             .rotation
             .slerp(&to.rotation, s)
             .angle_to(&pose.rotation),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stroke that begins inside a board leads to its border first, and back over the same place.
+    #[test]
+    fn a_line_that_returns_on_itself_is_followed_from_its_beginning() {
+        let steps = (0..=14).chain((-50..14).rev());
+        let poses = steps.map(|k| Pose::translation(1e-3 * f64::from(k), 0.0, 0.0));
+        let line = Line {
+            poses: poses.collect(),
+            corners: vec![14],
+        };
+        let mut passed = PassedCorners::new(&line);
+        let (mut at, mut last) = (0, line.poses[0]);
+        let mut worst: f64 = 0.0;
+        // The tool passes each point 0.02 mm beside it, and rounds the corner 0.5 mm before it.
+        for k in 0..line.poses.len() {
+            let mut tool = line.poses[k];
+            tool.translation.x = tool.translation.x.min(0.0135);
+            tool.translation.y = if k % 2 == 0 { 2e-5 } else { -2e-5 };
+            worst = worst.max(line.deviation(&mut at, &tool).position);
+            passed.note(&line, at, [&last, &tool]);
+            last = tool;
+        }
+        assert!(worst < 1e-4, "{worst}");
+        assert_eq!(at, line.poses.len() - 2);
+        assert!(passed.nearest[0].position < 6e-4, "{:?}", passed.nearest);
     }
 }
