@@ -172,3 +172,19 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_log_at_the_surface_without_force_has_a_contact_share_of_0() {
+    let [force, speed, offset] = [0.0, 0.1, 0.0];
+    let record = Motion {
+        force,
+        speed,
+        offset,
+    }
+    .remembered(100.0);
+    let of_round = |property| numbers(&record, "semco:WipingRound", property);
+    assert_eq!(of_round("semco:contactShare"), [Some(0.0)]);
+    // There is no force during contact, and the performance is unknown.
+    assert_eq!(of_round("semco:meanNormalForce"), [None]);
+    assert_eq!(of_round("semco:performance"), [None]);
+}
