@@ -269,11 +269,22 @@ fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Int
 }
 
 /// Whether the tool was at the surface for long enough to touch it, and the measured force shows no contact at all: the
-/// force was not measured, or the tool did not press. Wrenches that are not usable show neither.
+/// force was not measured, or the tool did not press. Neither wrenches that are not usable nor misread ones show this.
 fn shows_no_contact(interpretation: &Interpretation) -> bool {
-    let has = |is_it: fn(&Doubt) -> bool| interpretation.doubts.iter().any(is_it);
-    has(|doubt| matches!(doubt, Doubt::NoContactForce { lasts, .. } if *lasts >= LEAST_NEAR))
-        && !has(|doubt| matches!(doubt, Doubt::UnusableWrench { .. }))
+    let mut doubts = interpretation
+        .doubts
+        .iter()
+        .filter(|doubt| doubt.is_decisive() || matches!(doubt, Doubt::UnusableWrench { .. }));
+    let is_missing = |doubt: &Doubt| match doubt {
+        Doubt::NoContactForce {
+            force,
+            declared,
+            lasts,
+            ..
+        } => force < declared && *lasts >= LEAST_NEAR,
+        _ => false,
+    };
+    doubts.next().is_some_and(is_missing) && doubts.next().is_none()
 }
 
 fn describe_stroke(
@@ -552,8 +563,9 @@ impl Individual {
 
     fn estimate(&mut self, interpretation: &Interpretation) {
         let estimate = &interpretation.performance;
-        // A mean from a misread log would answer queries as if it were certain, so only its interval is stored.
-        if interpretation.is_conclusive() {
+        // The mean from a misread log, or from a part of the wiping, would answer queries as if it were the performance, so
+        // only its interval is stored.
+        if interpretation.is_conclusive() && !interpretation.is_lower_bound() {
             self.set_number("semco:performance", estimate.mean);
         }
         self.set_number("semco:performanceLow", estimate.low);

@@ -234,7 +234,7 @@ fn verdict_of(record: &EpisodeRecord) -> &str {
 
 fn is_estimated(record: &EpisodeRecord) -> bool {
     let action = (record.individuals.iter()).find(|one| one.class == "semco:WipingAction");
-    action.is_some_and(|action| action.values.contains_key("semco:performance"))
+    action.is_some_and(|action| action.performance().is_some())
 }
 
 fn say(

@@ -156,6 +156,13 @@ impl GroupWords {
             let undated = count_with_noun(group.undated_runs, "run");
             runs += &format!("; {undated} left out, because the date is unknown");
         }
+        let recorded = group.channels[HealthChannel::Performance as usize].recorded;
+        if recorded > 0 && recorded < group.runs {
+            let unknown = count_with_noun(group.runs - recorded, "run");
+            runs += &format!(
+                "; the performance of {unknown} is left out: it is unknown, or only known from below"
+            );
+        }
         if group.newest_without_contact > 0 {
             let newest = count_with_noun(group.runs.min(NEW_CHANGE_RUNS), "run");
             runs += &format!(
