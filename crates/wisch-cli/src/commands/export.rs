@@ -193,6 +193,9 @@ fn export_failure(error: NeemError) -> Failure {
         NeemError::Rate { .. } => {
             "choose a positive rate with --tf-rate-hz; the default is 10".to_owned()
         }
+        NeemError::Io { .. } => {
+            "free space on that disk, or choose another folder with --neem DIR".to_owned()
+        }
         _ => format!("{} lists damaged files", suggest("memory verify")),
     };
     Failure::new(error).with_help(help)

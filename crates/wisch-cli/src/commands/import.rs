@@ -184,7 +184,7 @@ fn attach(
         let attached = writer.attach(name, contents);
         attached.map_err(keep_failure)
     };
-    attach_task(writer, prepared)?;
+    attach_task(writer, prepared).map_err(attach_failure)?;
     attach(READING_FILE, reading.as_bytes())?;
     let estimated = interpreted.draw_estimate(prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
@@ -195,7 +195,19 @@ fn attach(
 }
 
 fn keep_failure(error: MemoryError) -> Failure {
-    RecordError::from(error).into()
+    let help = match error.is_disk_full() {
+        true => "free space on the disk, or choose another folder with --memory DIR",
+        false => "choose another folder with --memory DIR",
+    };
+    Failure::new(RecordError::from(error)).with_help(help)
+}
+
+/// Returns the failure of an attachment: an import has no option to keep no episode.
+fn attach_failure(error: RecordError) -> Failure {
+    match error {
+        RecordError::Memory(error) => keep_failure(error),
+        error => error.into(),
+    }
 }
 
 /// Formats all options that change the interpretation of a log; its file name is not among them.
