@@ -74,9 +74,9 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     drop((alone, progress));
 
     let read = &interpreted.record;
-    // With a fitted plane, the log's remarks include the doubts.
-    let doubts = (read.doubts.iter()).filter(|_| read.plane.is_none());
-    for what in read.log.remarks.iter().chain(doubts) {
+    let remarks = &read.log.remarks;
+    let doubts = (read.doubts.iter()).filter(|doubt| !remarks.contains(doubt));
+    for what in remarks.iter().chain(doubts) {
         remark(what);
     }
     let start = start_of(args, &interpreted.log);
