@@ -78,6 +78,20 @@ pub fn ask(folder: &Path, args: &[&str]) -> (i32, String, String) {
         .args(args))
 }
 
+#[test]
+fn a_table_of_answers_that_is_cut_says_so() {
+    let folder = memory();
+    let query = "member(N, [1, 2, 3])";
+    let (code, out, err) = ask(folder.path(), &[query, "--csv", "--limit", "2"]);
+    assert_eq!((code, out.as_str()), (0, "N\n1\n2\n"), "{err}");
+    assert!(
+        err.contains("the answers are cut: the first 2 answers; raise the limit with --limit"),
+        "{err}"
+    );
+    let (_, _, err) = ask(folder.path(), &[query, "--csv"]);
+    assert_eq!(err, "");
+}
+
 /// One at a time: a process that is just beginning holds open, for a moment, the scripts that another test writes.
 fn run(command: &mut Command) -> (i32, String, String) {
     static ALONE: Mutex<()> = Mutex::new(());

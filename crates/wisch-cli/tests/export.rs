@@ -199,3 +199,14 @@ fn an_episode_that_is_left_out_is_named_with_the_reason() {
     assert_eq!((code, &report["episodes"]), (1, &1.into()));
     assert_eq!(report["left_out"].as_array().map(Vec::len), Some(1));
 }
+
+#[test]
+fn notes_of_people_are_left_out_and_counted() {
+    let folder = memory();
+    let note = "[\"semco:WipingEpisode_first-0\",\"rdfs:comment\",\"a visitor watched\"]\n";
+    fs::write(folder.path().join("episodes/told.jsonl"), note).unwrap();
+    let (code, out, err) = wisch(folder.path(), &["memory", "export", "--neem", "neem"]);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let said = "left out: 1 statement that people have added by tell";
+    assert!(out.contains(said), "{out}");
+}

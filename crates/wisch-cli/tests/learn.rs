@@ -249,22 +249,7 @@ fn crumbs_that_stay_make_a_law_harder() {
         .current_dir(folder.path())
         .status();
     if patched.is_ok_and(|status| status.success()) {
-        // What was learned is what is known now.
-        let again = [
-            "learn",
-            "first",
-            "second",
-            "--task",
-            "task.toml",
-            "--knowledge",
-            "knowledge",
-            "--json",
-        ];
-        let (code, out, err) = wisch(folder.path(), &again);
-        assert_eq!((code, err.as_str()), (0, ""));
-        let again: Value = serde_json::from_str(&out).unwrap();
-        let before = again["laws"][0]["mu"]["before"].as_f64().unwrap();
-        assert!((before - number("mean")).abs() < 1e-3, "{again}");
+        learn_once_more(folder.path(), number("mean"));
     }
     fs::write(folder.path().join("mine.toml"), "mu = 1\n").unwrap();
     let args = [
@@ -280,6 +265,44 @@ fn crumbs_that_stay_make_a_law_harder() {
         code == 2 && err.contains("mine.toml: the file exists and was not written"),
         "{err}"
     );
+}
+
+/// Learns from the runs `first` and `second` with a knowledge base that was learned from them, whose μ is given.
+fn learn_once_more(folder: &Path, mu: f64) {
+    let args = |runs: &[&'static str]| {
+        let more = ["--task", "task.toml", "--knowledge", "knowledge", "--json"];
+        [&["learn"], runs, &more].concat()
+    };
+    let (code, _, err) = wisch(folder, &args(&["first", "second"]));
+    assert_eq!(code, 2, "{err}");
+    let said = "the knowledge base has been learned from all of the 2 given rounds already";
+    assert!(err.contains(said), "{err}");
+    // A new run counts, and those before do not count again.
+    let [before, after] = looks(4);
+    let telemetry = folder.join("third").join("telemetry");
+    fs::create_dir_all(&telemetry).unwrap();
+    let bag = telemetry.join("round-1.mcap");
+    write_bag(&bag, "board", [Some(&before), Some(&after)]);
+    let (code, out, err) = wisch(folder, &args(&["first", "second", "third"]));
+    assert!(
+        code == 0 && err.contains("left out: 2 rounds from which"),
+        "{err}"
+    );
+    let again: Value = serde_json::from_str(&out).unwrap();
+    let law = &again["laws"][0];
+    assert_eq!(
+        (&law["rounds"], &law["runs"]),
+        (&1.into(), &1.into()),
+        "{again}"
+    );
+    let known = law["mu"]["before"].as_f64().unwrap();
+    assert!((known - mu).abs() < 1e-3, "{again}");
+    let written = fs::read_to_string(folder.join("learned.toml")).unwrap();
+    let lines = written
+        .lines()
+        .filter_map(|line| line.strip_prefix("# learned: rounds "));
+    let rounds: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
+    assert_eq!(rounds.len(), 3, "{written}");
 }
 
 /// The file is TOML that people and programs read.

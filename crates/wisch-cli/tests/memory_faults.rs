@@ -177,6 +177,43 @@ fn on_a_disk_that_is_full_at_any_write_a_log_is_imported_whole_or_not_at_all() {
     assert!(kept > 0 && refused > 0, "{kept} kept, {refused} refused");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn on_a_full_disk_an_episode_is_removed_and_advice_is_possible() {
+    if !can_mount() {
+        return;
+    }
+    let folder = crate::interpret::folder(crate::interpret::believed());
+    let folder = folder.path();
+    fs::create_dir(folder.join("disk")).unwrap();
+    let script = "mount -t tmpfs -o size=8m tmpfs disk
+        import='memory import log.mcap --task task.toml --memory disk/m --start-s 1795309772 --quiet'
+        $0 $import || echo no import
+        id=$(ls disk/m)
+        $0 ask \"tell(holds('WipingEpisode_$id-0', rdfs:comment, 'a note'))\" --memory disk/m --engine swi --quiet
+        dd if=/dev/zero of=disk/fill bs=1k count=99999 2>/dev/null
+        $0 memory forget $id --memory disk/m; echo forgot $?
+        $0 memory list --memory disk/m; $0 memory verify --memory disk/m
+        dd if=/dev/zero of=disk/fill bs=1k count=99999 2>/dev/null
+        $0 $import; echo import $?";
+    let output = Command::new("unshare")
+        .current_dir(folder)
+        .args(["-rm", "sh", "-c", script])
+        .arg(program())
+        .output()
+        .unwrap();
+    let [out, err] = [&output.stdout, &output.stderr].map(|b| String::from_utf8_lossy(b));
+    assert!(!out.contains("no import"), "{out}{err}");
+    assert!(out.contains("forgot 0"), "{out}{err}");
+    assert!(out.contains("the memory has no episodes"), "{out}{err}");
+    assert!(out.contains("import 2"), "{out}{err}");
+    assert!(
+        err.contains("choose another folder with --memory DIR"),
+        "{err}"
+    );
+    assert!(!err.contains("--no-memory"), "{err}");
+}
+
 /// Killed between the episode's coming to the memory and the results' coming to their place.
 #[cfg(target_os = "linux")]
 #[test]

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 use wisch::geometry::Pose;
 use wisch_memory::{EpisodeRecord, Individual, Memory, Value};
+use wisch_telemetry::{LogOptions, read};
 
 fn import(folder: &Path, more: &[&str]) -> (i32, String, String) {
     let args = [
@@ -69,6 +70,72 @@ fn a_log_that_is_imported_twice_is_one_episode() {
     let (code, out, err) = wisch(folder, &args);
     assert_eq!(code, 0, "{out}{err}");
     assert_eq!(memory.episodes().unwrap().len(), 2);
+}
+
+/// Writes the first samples of the log as a table, of which a share is taken, with positions in a unit \[m\] and this number of
+/// decimals.
+fn write_table(folder: &Path, name: &str, share: f64, (unit, decimals): (&str, usize)) {
+    let log = read(&folder.join("log.mcap"), &LogOptions::default()).unwrap();
+    let factor = if unit == "mm" { 1e3 } else { 1.0 };
+    let mut text =
+        format!("t [s],x [{unit}],y [{unit}],z [{unit}],qx,qy,qz,qw,fx [N],fy [N],fz [N]\n");
+    let count = (share * log.samples.len() as f64) as usize;
+    for sample in &log.samples[..count] {
+        let place = factor * sample.world_from_tool.translation.vector;
+        let turn = sample.world_from_tool.rotation.coords;
+        let numbers = place.iter().chain(&turn).chain(&sample.force);
+        let numbers: Vec<String> = numbers
+            .map(|number| format!("{number:.decimals$}"))
+            .collect();
+        text += &format!("{:.6},{}\n", sample.time, numbers.join(","));
+    }
+    fs::write(folder.join(name), text).unwrap();
+}
+
+#[test]
+fn the_beginning_of_a_table_and_the_whole_are_one_log_in_any_unit() {
+    let folder = folder(believed());
+    let folder = folder.path();
+    write_table(folder, "whole.csv", 1.0, ("m", 6));
+    write_table(folder, "begun.csv", 0.6, ("m", 6));
+    write_table(folder, "other.csv", 1.0, ("mm", 3));
+    let import = |log: &str, memory: &str| {
+        let args = [
+            "memory",
+            "import",
+            log,
+            "--task",
+            "task.toml",
+            "--memory",
+            memory,
+        ];
+        let more = ["--wrench-frame", "world"];
+        wisch(folder, &[&args[..], &more].concat())
+    };
+    let count = |memory: &str| {
+        let memory = Memory::open(&folder.join(memory)).unwrap();
+        memory.episodes().unwrap().len()
+    };
+    // The logger was still writing when the table was copied.
+    let (code, out, err) = import("begun.csv", "first");
+    assert_eq!(code, 0, "{out}{err}");
+    let (code, _, err) = import("whole.csv", "first");
+    assert_eq!(code, 2, "{err}");
+    assert!(
+        err.contains("the memory has the first ") && err.contains("wisch memory forget"),
+        "{err}"
+    );
+    assert_eq!(count("first"), 1);
+    for log in ["whole.csv", "begun.csv", "other.csv"] {
+        let (code, out, err) = import(log, "second");
+        assert_eq!(code, 0, "{log}: {out}{err}");
+        assert_eq!(
+            out.contains("nothing was added"),
+            log != "whole.csv",
+            "{out}"
+        );
+        assert_eq!(count("second"), 1, "{log}");
+    }
 }
 
 #[test]

@@ -11,7 +11,7 @@ WHERE performance <= 0.8;
 CREATE VIEW low_performance_rounds AS
 SELECT robot, day, episode, round, tool, medium, surface, performance
 FROM rounds
-WHERE performance <= 0.8;
+WHERE performance <= 0.8 AND (verdict IS NULL OR verdict NOT IN ('performance unknown', 'cannot be told'));
 
 -- Number of collisions with a human, by tool and hour of the day (UTC).
 CREATE VIEW collisions_by_tool_and_hour AS

@@ -2,8 +2,11 @@
 
 use crate::digest::InputDigest;
 use crate::error::Error;
-use crate::knowledge::{InteractionRevision, RevisedFile, parse_knowledge, revise_knowledge};
+use crate::knowledge::{
+    InteractionRevision, RevisedFile, list_learned_rounds, parse_knowledge, revise_knowledge,
+};
 use include_dir::{Dir, include_dir};
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -273,6 +276,14 @@ impl KnowledgeSource {
         revisions: &[InteractionRevision],
     ) -> Result<Vec<RevisedFile>, Error> {
         revise_knowledge(&self.texts()?, revisions)
+    }
+
+    /// Returns the digests of the rounds from which `wisch learn` has learned entries.
+    ///
+    /// # Errors
+    /// If the folder or a file cannot be read.
+    pub fn list_learned_rounds(&self) -> Result<BTreeSet<String>, Error> {
+        Ok(list_learned_rounds(&self.texts()?))
     }
 
     /// Reads the PDDL domain of wiping.

@@ -53,7 +53,7 @@ predicate(tf, 4, 'tf(O, Time, P, Q): pose of O at Time').
 predicate(object_trajectory, 4, 'object_trajectory(O, When, dt(D), T): poses of O as Time-Pose over [S, E] or an event; or num_samples(N)').
 predicate(object_trajectory_in, 5, 'object_trajectory_in(Episode, O, When, dt(D), T): the same as object_trajectory/4, in one episode').
 predicate(tf_mng_trajectory, 4, 'tf_mng_trajectory(O, S, E, T): the same as object_trajectory/4, every 0.1 s').
-predicate(telemetry, 4, 'telemetry(Channel, When, Statistic, V): max, min, mean or rms of force, vertical_force, speed, a joint or a column of the telemetry over [S, E] or an event; one answer per episode').
+predicate(telemetry, 4, 'telemetry(Channel, When, Statistic, V): max, min, mean or rms (over time) of force, vertical_force, speed, a joint or a column of the telemetry over [S, E] or an event; one answer per episode').
 predicate(telemetry_in, 5, 'telemetry_in(Episode, Channel, When, Statistic, V): the same as telemetry/4, in one episode').
 predicate(show, 0, 'show: shows the scene').
 predicate(show, 1, 'show(What): shows a thing, trajectory(O), particles(O), or a list of these').

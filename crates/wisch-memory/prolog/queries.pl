@@ -331,13 +331,14 @@ grouped([Key-V|Rest], [Key-[V|Vs]|Groups]) :- same_key(Rest, Key, Vs, Others), g
 same_key([Key1-V|Rest], Key, [V|Vs], Others) :- Key1 == Key, !, same_key(Rest, Key, Vs, Others).
 same_key(Others, _, [], Others).
 
-episode_with_tool(Episode, Tool) :- taking_part(Episode, Tool).
-episode_on_surface(Episode, Surface) :- taking_part(Episode, Surface).
+episode_with_tool(Episode, Tool) :- in_role(Episode, 'semco:usesTool', Tool).
+episode_on_surface(Episode, Surface) :- in_role(Episode, 'semco:actsOnSurface', Surface).
 
-taking_part(Episode, Thing) :-
+% in_role(-Episode, +Role, -Thing): things of this role in the wiping of an episode.
+in_role(Episode, Role, Thing) :-
     thing(Thing, Name),
     of_class(Action, 'semco:WipingAction'),
-    stated(Action, 'dul:hasParticipant', Name),
+    stated(Action, Role, Name),
     part(Episode, Action).
 
 last_episode(Episode, Time) :-

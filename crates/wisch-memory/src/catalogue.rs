@@ -3,7 +3,7 @@
 pub(crate) mod cache;
 
 use crate::id::is_date;
-use crate::record::{EpisodeRecord, Value, individual_name};
+use crate::record::{EpisodeRecord, PERFORMANCE, Value, individual_name};
 use std::collections::HashMap;
 
 /// Index of an individual in a [`Catalogue`].
@@ -139,6 +139,9 @@ impl Catalogue {
             self.parents
                 .push(parent.map_or(NONE, |place| first + place));
             for (property, value) in &individual.values {
+                if property == PERFORMANCE && individual.performance().is_none() {
+                    continue;
+                }
                 let property = self.names.properties.number(property);
                 match value {
                     Value::Number(value) => at(&mut self.values, property).0.push((id, *value)),
@@ -222,6 +225,27 @@ impl Catalogue {
             let some = list_some(&ids, ", ");
             format!("the dates of these episodes are unknown, their times count from the start of each log: {some}")
         })
+    }
+
+    /// States how many wiping actions have an interval of the performance only, if any: it is unknown, or at least the lower
+    /// end of the interval.
+    pub(crate) fn describe_unknown_performances(&self) -> Option<String> {
+        let performances = self.numbers(PERFORMANCE);
+        let actions = self.individuals_of_class("semco:WipingAction").iter();
+        let unknown = actions.filter(|&&action| {
+            !entries(self.numbers("semco:performanceLow"), action).is_empty()
+                && entries(performances, action).is_empty()
+        });
+        let ids: Vec<String> = unknown.map(|&id| self.episode_of(id).id.clone()).collect();
+        let episodes = match ids.len() {
+            0 => return None,
+            1 => "1 episode".to_owned(),
+            count => format!("{count} episodes"),
+        };
+        let some = list_some(&ids, ", ");
+        Some(format!(
+            "{episodes} of the memory left out, whose performance is unknown or only known from below: {some}"
+        ))
     }
 
     /// Records that an episode cannot be read.

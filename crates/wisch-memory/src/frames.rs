@@ -382,18 +382,21 @@ impl<'a> Frames<'a> {
     pub fn pose(&self, frame: &str, time: f64) -> Result<PoseAt, FrameError> {
         let (carrier, offset) = self.carrier(frame)?;
         let row = self.row_at(time)?;
-        if (self.telemetry.time(row)? - time).abs() > self.longest_gap() {
-            let limit = self.longest_gap();
+        let limit = self.longest_gap(row)?;
+        if (self.telemetry.time(row)? - time).abs() > limit {
             return Err(FrameError::Gap { time, limit });
         }
         self.pose_at(carrier, &offset, row)
     }
 
-    /// Logs may have a sample period of more than half a second.
-    fn longest_gap(&self) -> f64 {
-        let [first, last] = self.telemetry.interval().unwrap_or_default();
-        let period = (last - first) / self.telemetry.rows().max(1) as f64;
-        LONGEST_GAP.max(2.0 * period)
+    /// Returns the longest time \[s\] for which a row represents the pose: half a second, or twice the least period of the
+    /// rows around it, because logs may have a sample period of more than half a second. A gap beside the row is no period.
+    fn longest_gap(&self, row: usize) -> Result<f64, FrameError> {
+        let around = row.saturating_sub(2)..(row + 3).min(self.telemetry.rows());
+        let times = self.telemetry.times(around)?;
+        let periods = times.windows(2).map(|pair| pair[1] - pair[0]);
+        let period = periods.min_by(f64::total_cmp).unwrap_or(0.0);
+        Ok(LONGEST_GAP.max(2.0 * period))
     }
 
     /// Returns the poses of a frame in the world at several times of an interval \[s\], each from the nearest sample.
@@ -410,12 +413,12 @@ impl<'a> Frames<'a> {
         let times = times_between(from, to, sampling)?;
         let mut poses: Vec<PoseAt> = Vec::with_capacity(times.len());
         let mut last = None;
-        let gap = self.longest_gap();
         for time in times {
             let row = self.row_at(time)?;
             // Repeated rows are dropped where the sampling is finer than the telemetry, and gaps in the recording are
             // left out.
-            let is_recorded = (self.telemetry.time(row)? - time).abs() <= gap;
+            let distance = (self.telemetry.time(row)? - time).abs();
+            let is_recorded = distance <= LONGEST_GAP || distance <= self.longest_gap(row)?;
             if is_recorded && last.replace(row) != Some(row) {
                 poses.push(self.pose_at(carrier, &offset, row)?);
             }

@@ -1,6 +1,6 @@
 //! Recognition of a recording that the memory has already, by its samples.
 
-use crate::catalogue::{Catalogue, EpisodeRow};
+use crate::catalogue::{EpisodeRow, entries};
 use crate::store::{Memory, MemoryError};
 use wisch::geometry::Point2;
 use wisch::interpret::TouchSample;
@@ -11,11 +11,12 @@ pub const CUT_REMARK: &str = "the log is incomplete: its writer did not finish i
 
 /// Largest difference of the times of one sample in two recordings [s]: files keep nanoseconds.
 const SAME_TIME: f64 = 1e-6;
-/// Largest differences of one sample in two recordings: of the position [m], times 1 plus its norm;
-/// of the quaternion; and of the force [N], times 1 plus its norm. Files keep single precision.
+/// Largest differences of one sample in two recordings: of the position [m], times 1 plus its norm; of the quaternion; and
+/// of the force [N], times 1 plus a hundredth of its norm. Files keep single precision, and tables at least 3 decimals of
+/// millimetres, quaternions and newtons.
 const SAME_POSITION: f64 = 1e-6;
-const SAME_ROTATION: f64 = 1e-5;
-const SAME_FORCE: f64 = 1e-5;
+const SAME_ROTATION: f64 = 1e-3;
+const SAME_FORCE: f64 = 1e-3;
 /// Distance below which two observations state the same place [m].
 const SAME_PLACE: f64 = 1e-5;
 /// Least share of the time and of the samples of the shorter recording that the other one must hold [1]; samples whose wrench
@@ -27,6 +28,8 @@ const MOST_OUTLIERS: f64 = 0.01;
 const OUTLIERS: usize = 5;
 /// Least number of samples that show that a shorter recording is a part of a longer one.
 const LEAST_SAMPLES: usize = 20;
+/// Least distance by which the tool moves in a recording that is only a part of another one [m]: tools at rest are alike.
+const LEAST_WAY: f64 = 0.01;
 /// Number of samples at the beginning of a kept round that are compared before the whole round is read.
 const PROBE: usize = 2_000;
 /// Largest difference of the durations of a round in two recordings: absolute [s], and relative [1].
@@ -101,7 +104,7 @@ pub fn is_same_motion(one: &[TouchSample], other: &[TouchSample]) -> bool {
     outliers <= most && same > 0 && same as f64 >= LEAST_SHARED * least as f64
 }
 
-/// Whether two samples of the same time have the same pose, in single precision.
+/// Whether two samples of the same time have the same pose, in the precision of files.
 fn is_same_pose(one: &TouchSample, other: &TouchSample) -> bool {
     let [a, b] = [one, other].map(|sample| sample.world_from_tool.translation.vector);
     let [p, q] = [one, other].map(|sample| sample.world_from_tool.rotation.coords);
@@ -109,9 +112,9 @@ fn is_same_pose(one: &TouchSample, other: &TouchSample) -> bool {
         && (p - q).norm().min((p + q).norm()) <= SAME_ROTATION
 }
 
-/// Whether two samples have the same force, in single precision.
+/// Whether two samples have the same force, in the precision of files.
 fn is_same_force(one: &TouchSample, other: &TouchSample) -> bool {
-    (one.force - other.force).norm() <= SAME_FORCE * (1.0 + one.force.norm())
+    (one.force - other.force).norm() <= SAME_FORCE * (1.0 + 0.01 * one.force.norm())
 }
 
 /// Returns whether the detections before and after two rounds may be the same. Detections are
@@ -147,8 +150,8 @@ pub struct RecordedMotion<'a> {
 impl Memory {
     /// Finds the round that holds a recorded motion, by its samples, whatever the files are called.
     ///
-    /// A round of which the memory has only the beginning, because its recording was imported before it was complete, is
-    /// found too. Rounds of another task, with other observations, and rounds that cannot be read are skipped.
+    /// A log of which the memory has only the beginning is found too, and so is the beginning of a log that was imported.
+    /// Rounds of another task, with other observations, and rounds that cannot be read are skipped.
     ///
     /// # Errors
     /// If the folder cannot be listed.
@@ -162,16 +165,20 @@ impl Memory {
         let catalogue = self.catalogue()?;
         let of_task = |row: &&EpisodeRow| recorded.task.is_none_or(|task| row.task == task);
         for row in catalogue.episodes().iter().filter(of_task) {
-            let is_kept_cut = is_cut_import(&catalogue, row);
+            let digests = catalogue.texts("semco:logDigest");
+            let is_imported = !entries(digests, row.first).is_empty();
             for (place, start) in row.rounds.iter().enumerate() {
                 let end = row.rounds.get(place + 1).copied();
                 let longer = end.unwrap_or(row.interval[1]) - start - last.time;
                 let [absolute, relative] = SAME_DURATION;
                 let is_like = longer.abs() <= absolute + relative * last.time;
-                let may_be_part =
-                    (recorded.is_cut && longer > 0.0) || (is_kept_cut && longer < 0.0);
+                // A logger may have been copied while it wrote.
+                let may_be_part = is_imported || (recorded.is_cut && longer > 0.0);
                 let round = place + 1;
-                if (is_like || may_be_part) && self.holds(&row.id, round, recorded) == Some(true) {
+                let least_way = if is_like { 0.0 } else { LEAST_WAY };
+                if (is_like || may_be_part)
+                    && self.holds(&row.id, round, recorded, least_way) == Some(true)
+                {
                     return Ok(Some(KnownRound {
                         episode: row.id.clone(),
                         round,
@@ -182,8 +189,15 @@ impl Memory {
         Ok(None)
     }
 
-    /// Whether a round of an episode holds a recorded motion; `None` if it cannot be read.
-    fn holds(&self, id: &str, round: usize, recorded: &RecordedMotion<'_>) -> Option<bool> {
+    /// Whether a round of an episode holds a recorded motion, in both of which the tool moves by at least `least_way` [m];
+    /// `None` if it cannot be read.
+    fn holds(
+        &self,
+        id: &str,
+        round: usize,
+        recorded: &RecordedMotion<'_>,
+        least_way: f64,
+    ) -> Option<bool> {
         let episode = self.episode(id).ok()?;
         let seen = episode.observations(round).ok()?;
         if seen.is_some_and(|seen| {
@@ -199,16 +213,16 @@ impl Memory {
             return Some(false);
         }
         let (kept, _) = telemetry.touch_samples().ok()?;
-        Some(is_same_motion(&kept, recorded.samples))
+        let moves = |samples: &[TouchSample]| find_way(samples) >= least_way;
+        Some(moves(&kept) && moves(recorded.samples) && is_same_motion(&kept, recorded.samples))
     }
 }
 
-/// Whether the log of an episode was imported before its recording was complete.
-fn is_cut_import(catalogue: &Catalogue, row: &EpisodeRow) -> bool {
-    let remarks = catalogue.texts("semco:logRemark");
-    let of_row = row.first..row.first + row.len;
-    let from = remarks.partition_point(|(id, _)| *id < of_row.start);
-    (remarks[from..].iter())
-        .take_while(|(id, _)| of_row.contains(id))
-        .any(|(_, remark)| remark.contains(CUT_REMARK))
+/// Returns the largest distance of the tool from its first position [m].
+fn find_way(samples: &[TouchSample]) -> f64 {
+    let place = |sample: &TouchSample| sample.world_from_tool.translation.vector;
+    let distances = samples
+        .iter()
+        .map(|sample| (place(sample) - place(&samples[0])).norm());
+    distances.fold(0.0, f64::max)
 }

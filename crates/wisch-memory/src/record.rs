@@ -57,6 +57,28 @@ pub struct Individual {
     pub values: BTreeMap<String, Value>,
 }
 
+/// The property of an estimated performance.
+pub(crate) const PERFORMANCE: &str = "semco:performance";
+/// Verdicts, also of earlier versions, that call the performance unknown.
+const UNKNOWN_VERDICTS: [&str; 2] = ["performance unknown", "cannot be told"];
+
+impl Individual {
+    /// Returns the estimated performance \[1\] of a round or an action.
+    ///
+    /// It is `None` if the verdict calls the performance unknown, also where the record states a number: episodes of
+    /// earlier versions state the lower bound of a log that lacks a part of the wiping.
+    pub fn performance(&self) -> Option<f64> {
+        let is_unknown = match self.values.get("semco:verdict") {
+            Some(Value::Text(verdict)) => UNKNOWN_VERDICTS.contains(&verdict.as_str()),
+            _ => false,
+        };
+        match self.values.get(PERFORMANCE) {
+            Some(Value::Number(performance)) if !is_unknown => Some(*performance),
+            _ => None,
+        }
+    }
+}
+
 /// The record of an episode: its individuals, participants and result.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EpisodeRecord {

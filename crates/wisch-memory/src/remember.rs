@@ -15,10 +15,15 @@ use crate::record::{EPISODE_SCHEMA, EpisodeRecord, Individual, Origin, Value};
 use log::Span;
 use std::collections::BTreeMap;
 use wisch::geometry::{Point2, Polygon};
-use wisch::interpret::{Diagnosis, Event, EventKind, InterpretConfig, Interpretation, PathPiece};
+use wisch::interpret::{
+    Diagnosis, Doubt, Event, EventKind, InterpretConfig, Interpretation, PathPiece,
+};
 use wisch::recover::{Verdict, assess_goal};
 use wisch::represent::{Action, GoalState, Task};
 use wisch::run::{Ending, PlannedRound, RunWarning};
+
+/// Shortest time at the surface after which missing contact is a measurement, not an absence of one [s].
+const LEAST_NEAR: f64 = 0.5;
 
 /// Header of an episode, beside its rounds.
 #[derive(Debug, Clone, PartialEq)]
@@ -232,7 +237,8 @@ fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Int
     if asked > 0.0 {
         individual.set_number("semco:pressForce", asked);
     }
-    if let Some(share) = interpretation.contact_share {
+    let share = interpretation.contact_share;
+    if let Some(share) = share.or(shows_no_contact(interpretation).then_some(0.0)) {
         individual.set_number("semco:contactShare", share);
     }
     if let Some(bias) = interpretation.force_bias {
@@ -260,6 +266,25 @@ fn describe_touch(individual: &mut Individual, task: &Task, interpretation: &Int
         individual.set_text("semco:doubt", &doubts.join("; "));
     }
     individual.set_text("semco:diagnosis", interpretation.diagnosis.as_str());
+}
+
+/// Whether the tool was at the surface for long enough to touch it, and the measured force shows no contact at all: the
+/// force was not measured, or the tool did not press. Neither wrenches that are not usable nor misread ones show this.
+fn shows_no_contact(interpretation: &Interpretation) -> bool {
+    let mut doubts = interpretation
+        .doubts
+        .iter()
+        .filter(|doubt| doubt.is_decisive() || matches!(doubt, Doubt::UnusableWrench { .. }));
+    let is_missing = |doubt: &Doubt| match doubt {
+        Doubt::NoContactForce {
+            force,
+            declared,
+            lasts,
+            ..
+        } => force < declared && *lasts >= LEAST_NEAR,
+        _ => false,
+    };
+    doubts.next().is_some_and(is_missing) && doubts.next().is_none()
 }
 
 fn describe_stroke(
@@ -538,8 +563,9 @@ impl Individual {
 
     fn estimate(&mut self, interpretation: &Interpretation, action: Action) {
         let [low, high] = interpretation.range(action);
-        // A mean from a misread log would answer queries as if it were certain, so only its interval is stored.
-        if interpretation.is_conclusive() {
+        // The mean from a misread log, or from a part of the wiping, would answer queries as if it were the performance, so
+        // only its interval is stored.
+        if interpretation.is_conclusive() && !interpretation.is_lower_bound() {
             self.set_number("semco:performance", interpretation.performance.mean);
         }
         self.set_number("semco:performanceLow", low);

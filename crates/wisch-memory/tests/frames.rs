@@ -7,7 +7,8 @@ use wisch::geometry::Pose;
 use wisch::robot::RobotModel;
 use wisch::run::{SampleStatus, TelemetrySample, Wrench};
 use wisch_memory::{
-    Frames, RoundScene, Sampling, StoredPose, Telemetry, TelemetryHead, TelemetryWriter,
+    Frames, LOG_COLUMNS, Mark, RoundScene, Sampling, StoredPose, Telemetry, TelemetryHead,
+    TelemetryWriter,
 };
 
 /// A platform that slides along x, with an arm of 1 m on it that turns about z.
@@ -170,4 +171,48 @@ fn telemetry_of_another_robot_or_without_a_scene_is_refused() {
     };
     let message = refused("c.parquet", elsewhere.head(joints(["slide", "turn"])));
     assert!(message.contains("hand"), "{message}");
+}
+
+/// Writes a log of a tool that is at rest, with samples at the given times \[s\].
+fn logged(path: &Path, times: impl IntoIterator<Item = f64>) -> Telemetry {
+    let head = RoundScene::from_log("sponge", "board", &Pose::identity()).head(Vec::new());
+    let columns = LOG_COLUMNS.map(str::to_owned);
+    let mut writer = TelemetryWriter::with_columns(path, head, &columns).expect("a file");
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::FreeMotion,
+    };
+    for time in times {
+        let row = [0.1, 0.2, 0.3, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 10.0];
+        writer.push(time, mark, row).expect("a sample");
+    }
+    writer.finish().expect("a file");
+    Telemetry::open(path).expect("telemetry")
+}
+
+#[test]
+fn no_pose_is_known_within_a_gap_however_long_the_gaps_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Three parts of 2 s at 100 Hz, one a day: a mean period of some minutes.
+    let daily = (0..3)
+        .flat_map(|day| (0..200).map(move |k| 86_400.0 * f64::from(day) + 0.01 * f64::from(k)));
+    let telemetry = logged(&folder.path().join("daily.parquet"), daily);
+    let frames = Frames::from_log(&telemetry, "sponge").expect("frames");
+    for time in [0.0, 1.99, 2.4, 86_399.6, 86_401.0] {
+        assert!(frames.pose("sponge", time).is_ok(), "{time}");
+    }
+    for time in [2.6, 40.0, 86_399.0] {
+        let error = frames.pose("sponge", time).expect_err("a gap");
+        let said = "nothing was recorded within 0.5 s of";
+        assert!(error.to_string().contains(said), "{error}");
+    }
+    let poses = frames.trajectory("sponge", [0.0, 90.0], Sampling::Every(10.0));
+    assert_eq!(poses.expect("a pose").len(), 1);
+    // A slow log has a period of more than half a second.
+    let slow = logged(
+        &folder.path().join("slow.parquet"),
+        (0..9).map(|k| 2.0 * f64::from(k)),
+    );
+    let frames = Frames::from_log(&slow, "sponge").expect("frames");
+    assert!(frames.pose("sponge", 5.0).is_ok());
 }

@@ -379,6 +379,72 @@ fn runs_are_in_the_order_of_their_times_and_undated_ones_left_out() {
     report_on(&runs);
 }
 
+/// A run whose force shows no contact, although the tool was at the surface.
+fn without_contact(mut run: Run) -> Run {
+    run.share = Some(0.0);
+    [run.force, run.offset, run.tilt] = [None; 3];
+    [run.stiffness, run.performance] = [None; 2];
+    run
+}
+
+#[test]
+fn runs_without_contact_need_attention() {
+    let mut runs: Vec<Run> = (0..9).map(Run::good).collect();
+    runs.extend((9..19).map(|day| without_contact(Run::good(day))));
+    let report = report_on(&runs);
+    assert!(report.needs_attention && report.groups[0].newest_without_contact == 10);
+    for channel in [HealthChannel::ContactForce, HealthChannel::ContactShare] {
+        let found = assessed(&report, channel);
+        assert_eq!(found.newest.value, 0.0, "{channel:?}");
+        let found = kinds(&report, channel);
+        assert!(
+            found.contains(&HealthFindingKind::BeyondLimit),
+            "{channel:?}"
+        );
+    }
+    let words = DescribedHealth::from(report).words;
+    let said = "10 of the newest 10 runs show no contact at the surface";
+    assert!(words.groups[0].runs.contains(said), "{words:?}");
+
+    // A sensor that fails now and then, and a memory with too few runs for a trend.
+    let some: Vec<Run> = (0..18)
+        .map(|day| match day {
+            9 | 11 | 13 | 15 | 17 => without_contact(Run::good(day)),
+            _ => Run::good(day),
+        })
+        .collect();
+    let few: Vec<Run> = (0..4).map(|day| without_contact(Run::good(day))).collect();
+    for (runs, count) in [(some, 5), (few, 4)] {
+        let report = report_on(&runs);
+        assert_eq!(report.groups[0].newest_without_contact, count);
+        assert!(report.needs_attention);
+    }
+    // A single one is stated only.
+    let mut one: Vec<Run> = (0..18).map(Run::good).collect();
+    one[12] = without_contact(one[12]);
+    let report = report_on(&one);
+    assert_eq!(report.groups[0].newest_without_contact, 1);
+    assert!(!report.needs_attention);
+}
+
+#[test]
+fn an_episode_of_an_earlier_version_without_contact_counts_too() {
+    let records: Vec<EpisodeRecord> = (0..8)
+        .map(|day| {
+            let mut run = without_contact(Run::good(day));
+            run.share = None;
+            let mut record = run.record(day);
+            let doubt = "the tool came within 0.0 mm of the believed surface, but its force shows no contact";
+            let doubt = Value::Text(doubt.to_owned());
+            let values = &mut record.individuals[2].values;
+            values.insert("semco:doubt".to_owned(), doubt);
+            record
+        })
+        .collect();
+    let report = assess_groups(&gather_groups(&Catalogue::from_records(&records)));
+    assert!(report.needs_attention && report.groups[0].newest_without_contact == 8);
+}
+
 #[test]
 fn a_report_in_json_has_units_and_states() {
     let report = report_on(&scattered(1, 12, creep));

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use wisch::geometry::{Point2, Polygon, Pose, Vector2, Vector3};
 use wisch::interpret::{Belief, InterpretConfig, TouchSample, interpret};
 use wisch::represent::{Action, ParticleDistribution, Surface, Task, Tool};
-use wisch_memory::{EpisodeHeader, EpisodeRecord, Value, remember_log};
+use wisch_memory::{Catalogue, EpisodeHeader, EpisodeRecord, Value, remember_log};
 
 /// Rates of logs [Hz].
 const RATES: [f64; 9] = [10.0, 20.0, 50.0, 100.0, 125.0, 200.0, 500.0, 1000.0, 2000.0];
@@ -96,9 +96,15 @@ impl Motion {
     }
 
     fn remembered(&self, rate: f64) -> EpisodeRecord {
+        self.remembered_until(rate, f64::INFINITY)
+    }
+
+    /// Returns the record of a log that ends at a time [s].
+    fn remembered_until(&self, rate: f64, end: f64) -> EpisodeRecord {
         let task = task();
         let goal = task.goal().expect("a goal");
-        let samples = self.samples(rate, &task);
+        let mut samples = self.samples(rate, &task);
+        samples.retain(|sample| sample.time <= end);
         let config = InterpretConfig::from_task(&task);
         let believed = Belief::from_particles(task.particles.clone());
         let estimate = interpret(&samples, &task, &believed, &goal, &config);
@@ -171,4 +177,51 @@ proptest! {
             check(&motion, rate, &shares)?;
         }
     }
+}
+
+#[test]
+fn a_log_at_the_surface_without_force_has_a_contact_share_of_0() {
+    let [force, speed, offset] = [0.0, 0.1, 0.0];
+    let record = Motion {
+        force,
+        speed,
+        offset,
+    }
+    .remembered(100.0);
+    let of_round = |property| numbers(&record, "semco:WipingRound", property);
+    assert_eq!(of_round("semco:contactShare"), [Some(0.0)]);
+    // There is no force during contact, and the performance is unknown.
+    assert_eq!(of_round("semco:meanNormalForce"), [None]);
+    assert_eq!(of_round("semco:performance"), [None]);
+}
+
+#[test]
+fn a_lower_bound_is_no_performance() {
+    let [force, speed, offset] = [10.0, 0.1, 0.0];
+    let motion = Motion {
+        force,
+        speed,
+        offset,
+    };
+    // The log ends in the middle of the first stroke.
+    let [descent, stroke, ..] = motion.parts();
+    let record = motion.remembered_until(100.0, 1.0 + descent + 0.5 * stroke);
+    for class in ["semco:WipingRound", "semco:WipingAction"] {
+        assert_eq!(numbers(&record, class, "semco:performance"), [None]);
+        let low = numbers(&record, class, "semco:performanceLow");
+        assert!(low[0].is_some(), "{class}: {low:?}");
+    }
+    let whole = motion.remembered(100.0);
+    let found = numbers(&whole, "semco:WipingAction", "semco:performance");
+    assert!(found[0].is_some());
+    // Earlier versions stored the bound as the performance.
+    let mut earlier = record;
+    for one in &mut earlier.individuals {
+        if one.values.contains_key("semco:performanceLow") {
+            let bound = Value::Number(0.4);
+            one.values.insert("semco:performance".to_owned(), bound);
+        }
+    }
+    let catalogue = Catalogue::from_records([&earlier]);
+    assert!(catalogue.numbers("semco:performance").is_empty());
 }

@@ -125,8 +125,8 @@ pub enum ReadFault {
         /// Its first bytes.
         found: String,
     },
-    /// The file is a recording in another format, which other programs convert to MCAP.
-    #[error("this is {kind}, but only MCAP files are read; convert it to MCAP first")]
+    /// The file is in another format, which other programs convert to a format that is read.
+    #[error("this is {kind}, but {}", what_is_read(*kind))]
     OtherRecording {
         /// Format of the recording.
         kind: RecordingKind,
@@ -530,6 +530,16 @@ pub enum RecordingKind {
     Sqlite,
     /// A bag of ROS 1.
     Ros1,
+    /// Text in JSON, one value or one per line.
+    Json,
+    /// A file compressed by gzip.
+    Gzip,
+    /// Text in UTF-16.
+    Utf16,
+    /// A file of HDF5, such as a MATLAB file.
+    Hdf5,
+    /// A workbook of a spreadsheet program.
+    Workbook,
 }
 
 impl std::fmt::Display for RecordingKind {
@@ -537,7 +547,26 @@ impl std::fmt::Display for RecordingKind {
         f.write_str(match self {
             Self::Sqlite => "a bag of ROS 2 in a SQLite database (.db3)",
             Self::Ros1 => "a bag of ROS 1",
+            Self::Json => "JSON",
+            Self::Gzip => "compressed by gzip",
+            Self::Utf16 => "text in UTF-16",
+            Self::Hdf5 => "an HDF5 file",
+            Self::Workbook => "a workbook of a spreadsheet program",
         })
+    }
+}
+
+/// States what is read instead of a format.
+const fn what_is_read(kind: RecordingKind) -> &'static str {
+    match kind {
+        RecordingKind::Sqlite | RecordingKind::Ros1 => {
+            "only MCAP files are read; convert it to MCAP first"
+        }
+        RecordingKind::Json
+        | RecordingKind::Gzip
+        | RecordingKind::Utf16
+        | RecordingKind::Hdf5
+        | RecordingKind::Workbook => "only bags (MCAP) and tables (CSV, Parquet, npz) are read",
     }
 }
 

@@ -333,19 +333,53 @@ fn is_packed_bag(path: &Path) -> bool {
 fn other_recording(path: &Path) -> std::io::Result<Option<RecordingKind>> {
     let mut begin = Vec::new();
     let file = File::open(path)?;
-    file.take(SQLITE.len() as u64).read_to_end(&mut begin)?;
-    Ok(if begin.starts_with(SQLITE) {
-        Some(RecordingKind::Sqlite)
-    } else if begin.starts_with(ROS1) {
-        Some(RecordingKind::Ros1)
-    } else {
-        None
+    file.take(MOST_BEGIN).read_to_end(&mut begin)?;
+    let known = OTHER_RECORDINGS
+        .iter()
+        .find(|(magic, _)| begin.starts_with(magic));
+    Ok(match known {
+        Some((_, kind)) => Some(*kind),
+        None if is_workbook(&begin) => Some(RecordingKind::Workbook),
+        None if is_json(&begin) => Some(RecordingKind::Json),
+        None => None,
     })
 }
 
-/// First bytes of a SQLite database and of a bag of ROS 1.
-const SQLITE: &[u8] = b"SQLite format 3\0";
-const ROS1: &[u8] = b"#ROSBAG V";
+/// Number of the first bytes that show the format of a recording.
+const MOST_BEGIN: u64 = 256;
+
+/// First bytes of recordings that must be converted first.
+const OTHER_RECORDINGS: [(&[u8], RecordingKind); 6] = [
+    (b"SQLite format 3\0", RecordingKind::Sqlite),
+    (b"#ROSBAG V", RecordingKind::Ros1),
+    (b"\x1f\x8b", RecordingKind::Gzip),
+    (b"\xff\xfe", RecordingKind::Utf16),
+    (b"\xfe\xff", RecordingKind::Utf16),
+    (b"\x89HDF\r\n\x1a\n", RecordingKind::Hdf5),
+];
+
+/// Whether a zip archive begins with a part of a workbook, after the 30 bytes of its first header.
+fn is_workbook(begin: &[u8]) -> bool {
+    let parts = [
+        "[Content_Types].xml",
+        "_rels/",
+        "docProps/",
+        "xl/",
+        "mimetype",
+    ];
+    let name = begin.get(30..).unwrap_or_default();
+    begin.starts_with(b"PK") && parts.iter().any(|part| name.starts_with(part.as_bytes()))
+}
+
+/// Whether a text begins with an object or an array of JSON; the names of a table may begin with a bracket, too.
+fn is_json(begin: &[u8]) -> bool {
+    let mut signs = begin.iter().filter(|byte| !byte.is_ascii_whitespace());
+    match (signs.next(), signs.next()) {
+        (Some(b'{'), Some(next)) => b"\"}".contains(next),
+        (Some(b'['), Some(next)) => b"{[\"-]".contains(next) || next.is_ascii_digit(),
+        _ => false,
+    }
+}
 
 /// Returns whether a file is a bag, by its ending or its first bytes. A folder is one if it holds parts of a bag.
 ///

@@ -1,6 +1,7 @@
 //! `wisch ask --view`: writes the answers of a query, with the recordings that they show, into one page.
 
 use super::prepare;
+use super::replaceable::begin_page;
 use crate::failure::Failure;
 use std::path::Path;
 use wisch_io::OutputFile;
@@ -15,7 +16,7 @@ const MAX_RECORDINGS: usize = 32 << 20;
 
 /// Begins the page before the query runs, so that a missing permission is reported at once.
 pub(super) fn begin(file: &Path) -> Result<OutputFile, Failure> {
-    OutputFile::begin(file).map_err(|error| Failure::from(error).with_help(OTHER_FILE))
+    begin_page(file, "--view")
 }
 
 const OTHER_FILE: &str = "choose another file with --view";

@@ -148,6 +148,10 @@ fn answer(
         print(&format!("{}\n", in_json(query, &answers, &on_memory)))?;
     } else if args.csv {
         print(&in_csv(&answers))?;
+        if answers.is_cut {
+            // A table that lacks rows must not pass for the whole, even with --quiet.
+            remark(&format!("the answers are cut: {}", format_cut(&answers)));
+        }
     } else if !global.quiet {
         print(&answers.printed)?;
         print(&in_words(&answers))?;
@@ -337,12 +341,15 @@ fn in_words(answers: &Answers) -> String {
         }
     }
     if answers.is_cut {
-        text.push_str(&format!(
-            "… the first {} answers; raise the limit with --limit\n",
-            answers.rows.len()
-        ));
+        text.push_str(&format!("… {}\n", format_cut(answers)));
     }
     text
+}
+
+/// States that the limit cut the answers.
+fn format_cut(answers: &Answers) -> String {
+    let count = answers.rows.len();
+    format!("the first {count} answers; raise the limit with --limit")
 }
 
 fn in_json(query: &str, answers: &Answers, on_memory: &[String]) -> Value {

@@ -9,6 +9,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json};
 use std::collections::BTreeSet;
 use wisch_io::NewFolder;
+use wisch_memory::ask::Assertions;
 use wisch_memory::neem::{NeemConfig, NeemError, NeemMeta, NeemReport, NeemWriter, PoseSource};
 use wisch_memory::{Episode, EpisodeRecord, Memory, Ontology};
 use wisch_record::unix_time;
@@ -26,6 +27,7 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
             (named.collect::<Result<_, _>>()?, Vec::new())
         }
     };
+    let notes = Assertions::read(memory.folder()).map_err(Failure::new)?;
     let meta = About::of(&episodes)?.meta(episodes.len())?;
     let config = NeemConfig {
         tf_rate_hz: args.tf_rate_hz,
@@ -44,7 +46,7 @@ pub fn export(args: &ExportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     let report = neem.finish().map_err(export_failure)?;
     folder.finish().map_err(failed)?;
     drop(progress);
-    tell(args, global, &report, &left_out)?;
+    tell(args, global, &report, (&left_out, notes.count()))?;
     Ok(if left_out.is_empty() {
         Outcome::Done
     } else {
@@ -151,7 +153,7 @@ fn tell(
     args: &ExportArgs,
     global: &GlobalArgs,
     report: &NeemReport,
-    left_out: &[String],
+    (left_out, notes): (&[String], usize),
 ) -> Result<(), Failure> {
     if args.json {
         print_json(&serde_json::json!({
@@ -164,6 +166,7 @@ fn tell(
             "unusable_wrenches": report.unusable_wrenches,
             "observations": report.observations,
             "left_out": left_out,
+            "notes_left_out": notes,
         }))?;
     } else if !global.quiet {
         let mut text = format!(
@@ -179,6 +182,10 @@ fn tell(
             let count = format_count(report.unusable_wrenches as usize, "sample");
             text += &format!("left out: the wrench of {count}, which its driver calls unusable\n");
         }
+        if notes > 0 {
+            let count = format_count(notes, "statement");
+            text += &format!("left out: {count} that people have added by tell\n");
+        }
         for why in left_out {
             text += &format!("left out: {why}\n");
         }
@@ -192,6 +199,9 @@ fn export_failure(error: NeemError) -> Failure {
         NeemError::Exists { .. } => "choose a new folder with --neem DIR".to_owned(),
         NeemError::Rate { .. } => {
             "choose a positive rate with --tf-rate-hz; the default is 10".to_owned()
+        }
+        NeemError::Io { .. } => {
+            "free space on that disk, or choose another folder with --neem DIR".to_owned()
         }
         _ => format!("{} lists damaged files", suggest("memory verify")),
     };

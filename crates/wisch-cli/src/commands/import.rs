@@ -22,14 +22,18 @@ use wisch_memory::catalogue::entries;
 use wisch_memory::{
     CUT_REMARK, Catalogue, EpisodeHeader, EpisodeRecord, EpisodeWriter, KnownRound, LOG_COLUMNS,
     Mark, Memory, MemoryError, Origin, RecordedMotion, RoundObservations, RoundScene, Value,
-    is_date, remember_log,
+    is_date, local_date_and_time, remember_log,
 };
-use wisch_record::{RecordError, attach_task, begin_episode};
+use wisch_record::{RecordError, attach_task, begin_episode, unix_time};
 use wisch_telemetry::{Log, LogOptions, read};
 
 const NANOSECONDS_PER_SECOND: f64 = 1e9;
 /// Attachment with the options of the command line that change the interpretation of the log.
 const READING_FILE: &str = "reading.txt";
+/// Time by which the clock of a robot may be ahead of this machine's [s].
+const MOST_FAST_S: f64 = 3600.0;
+/// Time from the origin of LabVIEW's times to 1970 [s].
+const FROM_1904_TO_1970_S: f64 = 2_082_844_800.0;
 /// Longest part of a log that an episode of it may lack without being incomplete [s].
 const MOST_MISSING_S: f64 = 0.5;
 
@@ -74,17 +78,16 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
     drop((alone, progress));
 
     let read = &interpreted.record;
-    // With a fitted plane, the log's remarks include the doubts.
-    let doubts = (read.doubts.iter()).filter(|_| read.plane.is_none());
-    for what in read.log.remarks.iter().chain(doubts) {
+    let remarks = &read.log.remarks;
+    let doubts = (read.doubts.iter()).filter(|doubt| !remarks.contains(doubt));
+    for what in remarks.iter().chain(doubts) {
         remark(what);
     }
     let start = start_of(args, &interpreted.log);
-    if !is_date(start) {
+    if let Some(what) = describe_wrong_date(start, unix_time()) {
+        let log = source.log.display();
         remark(&format!(
-            "{}: its times begin at {start} s, which is no date, so the date of the episode is unknown; forget the episode, \
-             then import the log with --start-s SECONDS (since 1970, UTC)",
-            source.log.display()
+            "{log}: {what}; forget the episode, then import the log with --start-s SECONDS (since 1970, UTC)"
         ));
     }
     say(&record, args, global, |place| {
@@ -102,6 +105,30 @@ pub fn import(args: &ImportArgs, global: &GlobalArgs) -> Result<Outcome, Failure
         )
     })?;
     Ok(Outcome::Done)
+}
+
+/// States that a start is no date, or a date in the future, with the consequences. `start`, `now`: times [s since 1970].
+fn describe_wrong_date(start: f64, now: f64) -> Option<String> {
+    if !is_date(start) {
+        return Some(format!(
+            "its times begin at {start} s, which is no date, so the date of the episode is unknown"
+        ));
+    }
+    if start <= now + MOST_FAST_S {
+        return None;
+    }
+    let since_1904 = start - FROM_1904_TO_1970_S;
+    let origin = match is_date(since_1904) && since_1904 <= now {
+        true => format!(
+            "; if they count from 1904, as in LabVIEW, they begin at {since_1904:.0} s, {}",
+            local_date_and_time(since_1904)
+        ),
+        false => String::new(),
+    };
+    Some(format!(
+        "its times begin at {}, which is in the future, so the episode stays the last one until then{origin}",
+        local_date_and_time(start)
+    ))
 }
 
 /// The time from the start of a log to its last sample [s].
@@ -184,7 +211,7 @@ fn attach(
         let attached = writer.attach(name, contents);
         attached.map_err(keep_failure)
     };
-    attach_task(writer, prepared)?;
+    attach_task(writer, prepared).map_err(attach_failure)?;
     attach(READING_FILE, reading.as_bytes())?;
     let estimated = interpreted.draw_estimate(prepared)?;
     let name = format!("round-1/{PARTICLES_ESTIMATED_FILE}");
@@ -195,7 +222,19 @@ fn attach(
 }
 
 fn keep_failure(error: MemoryError) -> Failure {
-    RecordError::from(error).into()
+    let help = match error.is_disk_full() {
+        true => "free space on the disk, or choose another folder with --memory DIR",
+        false => "choose another folder with --memory DIR",
+    };
+    Failure::new(RecordError::from(error)).with_help(help)
+}
+
+/// Returns the failure of an attachment: an import has no option to keep no episode.
+fn attach_failure(error: RecordError) -> Failure {
+    match error {
+        RecordError::Memory(error) => keep_failure(error),
+        error => error.into(),
+    }
 }
 
 /// Formats all options that change the interpretation of a log; its file name is not among them.
@@ -234,7 +273,7 @@ fn verdict_of(record: &EpisodeRecord) -> &str {
 
 fn is_estimated(record: &EpisodeRecord) -> bool {
     let action = (record.individuals.iter()).find(|one| one.class == "semco:WipingAction");
-    action.is_some_and(|action| action.values.contains_key("semco:performance"))
+    action.is_some_and(|action| action.performance().is_some())
 }
 
 fn say(
@@ -421,4 +460,29 @@ fn write_telemetry(
         telemetry.push(sample.time, mark, row)?;
     }
     Ok(telemetry.finish()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_start_that_cannot_be_is_described() {
+        let now = 1_790_000_000.0;
+        assert_eq!(describe_wrong_date(now - 86_400.0, now), None);
+        assert_eq!(describe_wrong_date(now + 600.0, now), None);
+        let what = |start| describe_wrong_date(start, now).unwrap_or_default();
+        assert!(what(12.0).contains("no date"));
+        // 2092-06-01, which is 2026-06-01 counted from 1904.
+        let found = what(1_780_300_800.0 + FROM_1904_TO_1970_S);
+        assert!(
+            found.contains("in the future") && found.contains("1780300800 s, 2026-0"),
+            "{found}"
+        );
+        let found = what(now + 4e8);
+        assert!(
+            found.contains("in the future") && !found.contains("1904"),
+            "{found}"
+        );
+    }
 }

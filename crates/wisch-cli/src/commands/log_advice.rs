@@ -49,6 +49,13 @@ fn advice(fault: &ReadFault, log: &Path) -> Option<String> {
                 converted.display()
             )
         }
+        ReadFault::OtherRecording { kind } => match kind {
+            RecordingKind::Gzip => format!("unpack it first: gunzip --keep {}", log.display()),
+            RecordingKind::Utf16 => {
+                "save it as text in UTF-8, in a spreadsheet program as \"CSV UTF-8\"".to_owned()
+            }
+            _ => "write it as a table in CSV, Parquet or npz".to_owned(),
+        },
         ReadFault::Compression { .. } => "recompress it with mcap compress --compression lz4".to_owned(),
         ReadFault::Apart { .. } => "see --max-gap-s".to_owned(),
         ReadFault::Unknown(error) if error.kind == "column" => {

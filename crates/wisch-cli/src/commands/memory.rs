@@ -383,6 +383,7 @@ pub(super) fn open(args: &MemoryArgs) -> Result<Memory, Failure> {
 pub(super) fn memory_failure(error: MemoryError) -> Failure {
     let help = match error {
         MemoryError::Unknown { .. } => format!("{} lists the episodes", suggest("memory list")),
+        _ if error.is_disk_full() => "free space on the disk of the memory".to_owned(),
         _ => format!(
             "{} lists damaged files, {} removes an episode",
             suggest("memory verify"),

@@ -30,6 +30,7 @@ mod new;
 mod out_folder;
 mod patches;
 mod prepare;
+mod replaceable;
 mod report;
 mod robot;
 mod ros2;

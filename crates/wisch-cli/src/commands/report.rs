@@ -2,26 +2,33 @@
 
 use super::interpret::{goal, interpret_read, read_log, task_args};
 use super::prepare;
+use super::replaceable::begin_page;
 use crate::args::{GlobalArgs, LoggedArgs, ReportArgs};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use wisch_io::{INTERPRETATION_FILE, OutputFile, PLAN_FILE, REPORT_FILE};
+use wisch_io::{INTERPRETATION_FILE, PLAN_FILE, REPORT_FILE};
 use wisch_memory::{Memory, RECORDING_FILE};
 
 /// Writes the page.
 pub fn report(args: &ReportArgs, global: &GlobalArgs) -> Result<Outcome, Failure> {
-    let (page, name) = match find(args)? {
-        Source::Results(folder) => (page_of(&folder)?, format_name(folder.file_name())),
-        Source::Log(log) => (page_of_log(&log, global)?, format_name(log.log.file_stem())),
+    let source = find(args)?;
+    let name = match &source {
+        Source::Results(folder) => format_name(folder.file_name()),
+        Source::Log(log) => format_name(log.log.file_stem()),
     };
     let out = args
         .out
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{name}.html")));
-    OutputFile::begin(&out)?.finish(page.as_bytes())?;
+    let file = begin_page(&out, "--out")?;
+    let page = match source {
+        Source::Results(folder) => page_of(&folder)?,
+        Source::Log(log) => page_of_log(&log, global)?,
+    };
+    file.finish(page.as_bytes())?;
     if args.json {
         print_json(&serde_json::json!({ "out": out.display().to_string() }))?;
     } else if !global.quiet {

@@ -4,6 +4,7 @@ use super::PROGRAM;
 use super::interrupt::{UnfinishedRun, delay_signals, pause_on_signal, say_how_to_resume};
 use super::job::{Job, RoundStart, add_kept_times, list_truths};
 use super::prepare::stage_failure;
+use super::replaceable::check_events;
 use super::ros2::OperatedRobot;
 use super::warnings::watch_for_warnings;
 use super::watch::Watch;
@@ -510,6 +511,7 @@ fn event_sink(path: &Path) -> Result<EventSink<Box<dyn Write + Send>>, Failure> 
     let output: Box<dyn Write + Send> = if path == Path::new("-") {
         Box::new(std::io::stdout())
     } else {
+        check_events(path)?;
         let file = File::create(path).map_err(|error| {
             Failure::new(format!("{place}: cannot write there: {error}"))
                 .with_help("choose another file with --events")

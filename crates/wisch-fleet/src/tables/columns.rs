@@ -159,7 +159,7 @@ const PERFORMANCE: Column = column(
     "performance",
     ColumnKind::Number,
     "1",
-    "estimated performance, 0 to 1",
+    "estimated performance, 0 to 1; null if it is unknown, or only known from below",
 );
 const PERFORMANCE_LOW: Column = column(
     "performance_low",

@@ -144,7 +144,8 @@ pub const DRIFT: Table = Table {
 pub const FIRST_ROUNDS: &str = "\
 SELECT r.episode, r.robot, r.tool, r.surface, r.medium, r.press_force_n, r.true_performance, e.start_s, e.end_s, e.target,
        r.predicted_performance, r.mean_normal_force_n, r.contact_share, r.plane_offset_m, r.plane_tilt_rad,
-       r.tool_stiffness_n_per_m, r.performance
+       r.tool_stiffness_n_per_m,
+       CASE WHEN r.verdict IN ('performance unknown', 'cannot be told') THEN NULL ELSE r.performance END AS performance
 FROM rounds AS r JOIN episodes AS e ON r.episode = e.episode
 WHERE r.round = 1";
 

@@ -8,8 +8,8 @@ mod source;
 mod tests;
 
 pub(crate) use record::is_entry_name;
-pub(crate) use revision::revise_knowledge;
 pub use revision::{InteractionRevision, RevisedFile};
+pub(crate) use revision::{list_learned_rounds, revise_knowledge};
 
 use wisch::represent::{KnowledgeBase, KnowledgeError, SurfaceScope};
 use wisch::source_location::Place;

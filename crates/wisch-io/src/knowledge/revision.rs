@@ -3,6 +3,7 @@
 use super::parse_knowledge;
 use crate::error::Error;
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::path::Path;
 use wisch::represent::{Interaction, LogNormal};
 
@@ -14,6 +15,8 @@ pub struct InteractionRevision {
     pub interaction: Interaction,
     /// Source of the new values, one sentence per line.
     pub source: Vec<String>,
+    /// Digests of the rounds from which the new values were learned; the entry keeps them beside those of earlier revisions.
+    pub rounds: Vec<String>,
 }
 
 /// A knowledge file before and after a revision.
@@ -31,6 +34,10 @@ pub struct RevisedFile {
 
 /// Prefix of comment lines that the next revision replaces.
 const LEARNED: &str = "# learned: ";
+/// Prefix of comment lines with the digests of rounds, which revisions add and never replace.
+const LEARNED_ROUNDS: &str = "# learned: rounds ";
+/// Number of digests in a line.
+const ROUNDS_PER_LINE: usize = 6;
 /// First line of an entry.
 const HEADER: &str = "[[interaction]]";
 /// Number of context lines in a diff.
@@ -49,6 +56,14 @@ struct NamesOfOne {
     tool: String,
     medium: String,
     surface: String,
+}
+
+/// Returns the digests of the rounds from which entries of knowledge files were learned.
+pub(crate) fn list_learned_rounds(files: &[(String, String)]) -> BTreeSet<String> {
+    let lines = files.iter().flat_map(|(_, text)| text.lines());
+    let rounds = lines.filter_map(|line| line.trim_start().strip_prefix(LEARNED_ROUNDS));
+    let digests = rounds.flat_map(str::split_whitespace);
+    digests.map(str::to_owned).collect()
 }
 
 /// Applies revisions to knowledge files (name and text), and returns the changed files.
@@ -174,11 +189,15 @@ fn with_revision(block: &[&str], revision: &InteractionRevision) -> Vec<String> 
         values.iter().position(|(known, ..)| *known == key.trim())
     };
     let mut lines: Vec<String> = Vec::new();
+    // Rounds of earlier revisions.
+    let mut kept: Vec<String> = Vec::new();
     let mut place = None;
     for line in block {
-        let is_old = line.trim_start().starts_with(LEARNED) || key_of(line).is_some();
-        if is_old {
+        let comment = line.trim_start();
+        let is_kept = comment.starts_with(LEARNED_ROUNDS);
+        if is_kept || comment.starts_with(LEARNED) || key_of(line).is_some() {
             place.get_or_insert(lines.len());
+            kept.extend(is_kept.then(|| (*line).to_owned()));
         } else {
             lines.push((*line).to_owned());
         }
@@ -195,7 +214,9 @@ fn with_revision(block: &[&str], revision: &InteractionRevision) -> Vec<String> 
             format!("{key} = {value}  # {meaning}")
         }
     });
-    let new: Vec<String> = comment.chain(told).collect();
+    let rounds = revision.rounds.chunks(ROUNDS_PER_LINE);
+    let rounds = rounds.map(|digests| LEARNED_ROUNDS.to_owned() + &digests.join(" "));
+    let new: Vec<String> = (comment.chain(kept).chain(rounds).chain(told)).collect();
     lines.splice(place..place, new);
     lines
 }
@@ -357,6 +378,7 @@ mod tests {
                 ..known.clone()
             },
             source: vec!["from 20 rounds".to_owned()],
+            rounds: vec![format!("{mu}a"), format!("{mu}b")],
         }
     }
 
@@ -399,13 +421,12 @@ mod tests {
             .find(|block| names(block).is_some_and(|n| n.surface == "chopping_board"))
             .unwrap();
         let twice = with_revision(block, &revision("sponge", "chopping_board", -0.7));
-        assert_eq!(
-            twice
-                .iter()
-                .filter(|line| line.starts_with(LEARNED))
-                .count(),
-            1
-        );
+        let from = twice.iter().filter(|line| line.ends_with("from 20 rounds"));
+        assert_eq!(from.count(), 1);
+        // The rounds of both revisions are known.
+        let texts = [("interactions.toml".to_owned(), twice.join("\n"))];
+        let rounds: Vec<String> = list_learned_rounds(&texts).into_iter().collect();
+        assert_eq!(rounds, ["-0.7a", "-0.7b", "-0.8a", "-0.8b"]);
     }
 
     fn parse_knowledge_with(file: &RevisedFile) -> wisch::represent::KnowledgeBase {

@@ -207,6 +207,11 @@ impl Assertions {
         about.map(|(_, property, _)| property.as_str())
     }
 
+    /// Number of the statements.
+    pub fn count(&self) -> usize {
+        self.statements.len()
+    }
+
     /// Returns all statements.
     pub(super) fn all(&self) -> &[Statement] {
         &self.statements

@@ -93,6 +93,11 @@ impl Host {
         self.known.catalogue.describe_undated()
     }
 
+    /// States how many episodes have no performance, if any.
+    pub fn describe_unknown_performances(&self) -> Option<String> {
+        self.known.catalogue.describe_unknown_performances()
+    }
+
     /// Returns remarks on the memory that apply to every query.
     pub fn remarks_on_memory(&self) -> Vec<String> {
         let catalogue = &self.known.catalogue;

@@ -54,6 +54,16 @@ const COMPARING_TIMES: [&str; 7] = [
     "until",
 ];
 
+/// Predicates whose answers are performances, so that episodes without one are missing.
+const COMPARING_PERFORMANCES: [&str; 6] = [
+    "final_performance",
+    "low_performance",
+    "low_performance_round",
+    "strategy_performance",
+    "surface_performance",
+    "tool_performance",
+];
+
 /// The answers to a query, with what it printed.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Answers {
@@ -67,7 +77,8 @@ pub struct Answers {
     pub views: Vec<Term>,
     /// Text that the query printed.
     pub printed: String,
-    /// Remarks on episodes that are left out, with the reason, and on episodes without a date where times are compared.
+    /// Remarks on episodes that are left out, with the reason, on episodes without a date where times are compared, and on
+    /// episodes without a performance where performances are compared.
     pub remarks: Vec<String>,
 }
 
@@ -165,8 +176,14 @@ impl QuerySession {
     pub fn ask(&mut self, query: &str) -> Result<Answers, AskError> {
         self.host.begin_query(query);
         let mut result = self.converse(query);
-        if let (Ok(answers), true) = (&mut result, compares_times(query)) {
-            answers.remarks.extend(self.host.describe_undated());
+        if let Ok(answers) = &mut result {
+            if calls_any(query, &COMPARING_TIMES) {
+                answers.remarks.extend(self.host.describe_undated());
+            }
+            if calls_any(query, &COMPARING_PERFORMANCES) {
+                let unknown = self.host.describe_unknown_performances();
+                answers.remarks.extend(unknown);
+            }
         }
         self.host.end_query();
         self.host.take_printed();
@@ -268,12 +285,10 @@ impl QuerySession {
     }
 }
 
-/// Whether a query compares the times of episodes.
-fn compares_times(query: &str) -> bool {
+/// Whether a query contains the name of any of the predicates.
+fn calls_any(query: &str, predicates: &[&str]) -> bool {
     let words = query.split(|c: char| !c.is_alphanumeric() && c != '_');
-    words
-        .into_iter()
-        .any(|word| COMPARING_TIMES.contains(&word))
+    words.into_iter().any(|word| predicates.contains(&word))
 }
 
 /// Returns the predicates that queries may call, this memory's own before Prolog's.

@@ -10,6 +10,7 @@ use crate::store::Memory;
 use crate::telemetry::Telemetry;
 use std::collections::HashMap;
 use std::fmt::Display;
+use std::ops::Range;
 use std::rc::Rc;
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::UnusableWrenches;
@@ -22,6 +23,8 @@ const ANY: &str = "any";
 /// Time after the end of an interval up to which a sample still belongs to it \[s\]: times since
 /// 1970 are exact to 2e-7 s.
 const SAME_TIME: f64 = 1e-6;
+/// Longest time before or after a sample that it represents in a mean [s], as for the contact of a round.
+const LONGEST_REACH: f64 = 0.5;
 /// Largest number of poses in a query's trajectory.
 const MAX_POSES: usize = 200_000;
 
@@ -112,7 +115,7 @@ impl TelemetryPredicates {
                         values.extend(channel_values(span, channel, &mut unusable)?);
                     }
                     // NaN stands for a value that was not measured or not stated.
-                    values.retain(|value| !value.is_nan());
+                    values.retain(|(value, _)| !value.is_nan());
                     Ok(Term::Float(statistic_of(&values, statistic)?))
                 });
                 self.state_unusable(channel, unusable);
@@ -438,18 +441,28 @@ fn trajectory(
     Ok(found)
 }
 
-/// Computes max, min, mean or root mean square.
-fn statistic_of(values: &[f64], statistic: &str) -> Result<f64, QueryFault> {
-    if values.is_empty() {
+/// Computes max, min, mean or root mean square of values, each with the time that it represents [s].
+fn statistic_of(values: &[(f64, f64)], statistic: &str) -> Result<f64, QueryFault> {
+    let Some((first, _)) = values.first() else {
         return Err(fault("the interval holds no sample".to_owned()));
-    }
-    let count = values.len() as f64;
-    let all = values.iter().copied();
+    };
+    // Over time, so that it does not depend on the rate; a single moment lasts no time, and its samples count alike.
+    let whole: f64 = values.iter().map(|(_, time)| time).sum();
+    let mean = |of: fn(f64) -> f64| {
+        // x₀ + Σ (x − x₀) t / Σ t is exact for equal values.
+        let start = of(*first);
+        let weighted = values.iter().map(|(value, time)| match whole > 0.0 {
+            true => (of(*value) - start) * time / whole,
+            false => (of(*value) - start) / values.len() as f64,
+        });
+        start + weighted.sum::<f64>()
+    };
+    let all = values.iter().map(|(value, _)| *value);
     match statistic {
         "max" => Ok(all.fold(f64::NEG_INFINITY, f64::max)),
         "min" => Ok(all.fold(f64::INFINITY, f64::min)),
-        "mean" => Ok(all.sum::<f64>() / count),
-        "rms" => Ok((all.map(|v| v * v).sum::<f64>() / count).sqrt()),
+        "mean" => Ok(mean(|value| value)),
+        "rms" => Ok(mean(|value| value * value).sqrt()),
         other => Err(fault(format!(
             "{other} is not a statistic; expected max, min, mean or rms"
         ))),
@@ -481,17 +494,40 @@ fn pose(at: &PoseAt) -> Term {
     ])
 }
 
-/// Returns the values of a channel, and counts the samples that are left out because their wrench is not usable.
+/// Returns the time that each row represents within the span [s]: half of the time since the previous row, and half of
+/// the time to the next one, each of at most [`LONGEST_REACH`].
+fn compute_durations(span: &Span, rows: &Range<usize>) -> Result<Vec<f64>, QueryFault> {
+    let telemetry = &span.telemetry;
+    let around = rows.start.saturating_sub(1)..(rows.end + 1).min(telemetry.rows());
+    let times = telemetry.times(around.clone()).map_err(unread)?;
+    let represented = rows.clone().map(|row| {
+        let place = row - around.start;
+        let time = times[place];
+        let before = place.checked_sub(1).map_or(time, |k| times[k]);
+        let after = times.get(place + 1).copied().unwrap_or(time);
+        let begin = (0.5 * (before + time)).max(time - LONGEST_REACH);
+        let end = (0.5 * (time + after)).min(time + LONGEST_REACH);
+        (end.min(span.to) - begin.max(span.from)).max(0.0)
+    });
+    Ok(represented.collect())
+}
+
+/// Returns the values of a channel, each with the time that it represents [s], and counts the samples that are left out
+/// because their wrench is not usable.
 fn channel_values(
     span: &Span,
     channel: &str,
     unusable: &mut UnusableWrenches,
-) -> Result<Vec<f64>, QueryFault> {
+) -> Result<Vec<(f64, f64)>, QueryFault> {
     let telemetry = &span.telemetry;
     let rows = telemetry
         .rows_between([span.from, span.to])
         .map_err(unread)?;
     let column = |name: &str| telemetry.values(name, rows.clone()).map_err(unread);
+    let timed = |values: Vec<f64>| -> Result<Vec<(f64, f64)>, QueryFault> {
+        let times = compute_durations(span, &rows)?;
+        Ok(values.into_iter().zip(times).collect())
+    };
     // The force on the tool, as strokes and contacts state it: without the bias of the sensor.
     let forces = || -> Result<Vec<Vector3>, QueryFault> {
         let [x, y, z] = ["external/fx", "external/fy", "external/fz"].map(column);
@@ -500,12 +536,12 @@ fn channel_values(
             .map(|((x, y), z)| Vector3::new(x, y, z) - span.bias)
             .collect())
     };
-    let mut usable = |forces: Vec<f64>| -> Result<Vec<f64>, QueryFault> {
+    let mut usable = |forces: Vec<f64>| -> Result<Vec<(f64, f64)>, QueryFault> {
         let qualities = telemetry.wrench_qualities(rows.clone()).map_err(unread)?;
         for quality in &qualities {
             unusable.add(*quality);
         }
-        let forces = forces.into_iter().zip(qualities);
+        let forces = timed(forces)?.into_iter().zip(qualities);
         let forces = forces.filter(|(_, quality)| quality.is_usable());
         Ok(forces.map(|(force, _)| force).collect())
     };
@@ -520,17 +556,21 @@ fn channel_values(
                 let distance = (x[k] - x[k - 1])
                     .hypot(y[k] - y[k - 1])
                     .hypot(z[k] - z[k - 1]);
-                distance / (times[k] - times[k - 1]).max(f64::MIN_POSITIVE)
+                let step = times[k] - times[k - 1];
+                (
+                    distance / step.max(f64::MIN_POSITIVE),
+                    step.min(2.0 * LONGEST_REACH),
+                )
             });
             Ok(steps.collect())
         }
         joint if telemetry.joints().iter().any(|known| known == joint) => {
-            column(&format!("position/{joint}"))
+            timed(column(&format!("position/{joint}"))?)
         }
         name => {
             let columns = telemetry.columns();
             if columns.contains(&name) {
-                return column(name);
+                return timed(column(name)?);
             }
             let known = ["force", "vertical_force", "speed"]
                 .into_iter()

@@ -19,8 +19,8 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Version of these files.
-const CACHE_SCHEMA: u32 = 1;
+/// Version of these files. Since version 2, they lack performances that a verdict calls unknown.
+const CACHE_SCHEMA: u32 = 2;
 const HEAD_FILE: &str = "head.json";
 /// File with the CRC-32 of each other file.
 const SUMS_FILE: &str = "checksums.json";

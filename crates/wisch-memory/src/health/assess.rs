@@ -99,7 +99,9 @@ pub fn assess_groups(groups: &[RunGroup]) -> HealthReport {
 }
 
 fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth {
-    let needs_attention = channels.iter().any(|channel| match &channel.state {
+    let newest = group.rounds.iter().rev().take(NEW_CHANGE_RUNS);
+    let newest_without_contact = newest.filter(|round| round.shows_no_contact()).count();
+    let has_findings = channels.iter().any(|channel| match &channel.state {
         ChannelState::Assessed(assessment) => !assessment.findings.is_empty(),
         ChannelState::NotRecorded | ChannelState::TooFew { .. } | ChannelState::Outdated { .. } => {
             false
@@ -115,9 +117,10 @@ fn describe_group(group: &RunGroup, channels: Vec<ChannelHealth>) -> GroupHealth
         source: group.source,
         runs: group.rounds.len(),
         undated_runs: group.undated,
+        newest_without_contact,
         first_s: begin(group.rounds.first()),
         last_s: begin(group.rounds.last()),
-        needs_attention,
+        needs_attention: has_findings || newest_without_contact >= NEWEST,
         channels,
     }
 }

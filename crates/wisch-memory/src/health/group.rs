@@ -63,6 +63,11 @@ pub(super) struct FirstRound {
 }
 
 impl FirstRound {
+    /// Whether the tool was at the surface, and the force shows no contact at any time.
+    pub(super) fn shows_no_contact(&self) -> bool {
+        self.value(HealthChannel::ContactShare) == Some(0.0)
+    }
+
     pub(super) const fn value(&self, channel: HealthChannel) -> Option<f64> {
         self.values[channel as usize]
     }
@@ -104,6 +109,11 @@ const THINGS: [&str; 4] = [
     "semco:removesMedium",
 ];
 
+/// Words of the doubts by which a round of an earlier version states that its force shows no contact, and that the force
+/// is not usable or misread.
+const NO_CONTACT_FORCE: &str = "its force shows no contact";
+const MISREAD: [&str; 2] = ["not used as touch", "× press_force_n"];
+
 /// Collects the first rounds of all episodes, sorted by robot, tool, surface, dirt, force and source.
 ///
 /// Episodes of earlier versions state no press force; they are in a group without one.
@@ -124,6 +134,11 @@ fn read_run(catalogue: &Catalogue, round: IndividualId) -> FirstRun {
         objects.first().map(|(_, node)| name_of(catalogue, *node))
     });
     let action = catalogue.parent(round);
+    let mut values = HealthChannel::ALL.map(|channel| number(channel.property(), round));
+    let share = &mut values[HealthChannel::ContactShare as usize];
+    if share.is_none() && states_no_contact(catalogue, round) {
+        *share = Some(0.0);
+    }
     FirstRun {
         robot,
         tool,
@@ -132,16 +147,26 @@ fn read_run(catalogue: &Catalogue, round: IndividualId) -> FirstRun {
         press_force_n: number("semco:pressForce", round),
         is_simulated: number("semco:simulatedPerformance", round).is_some(),
         interval: catalogue.episode_of(round).interval,
-        values: HealthChannel::ALL.map(|channel| number(channel.property(), round)),
+        values,
         target: action.and_then(|action| number("semco:target", action)),
         predicted: number("semco:predictedPerformance", round),
     }
 }
 
+/// Whether the doubts of a round say that its force shows no contact. Episodes of earlier versions state no contact share
+/// then.
+fn states_no_contact(catalogue: &Catalogue, round: IndividualId) -> bool {
+    let doubts = entries(catalogue.texts("semco:doubt"), round).iter();
+    let mut doubts = doubts.map(|(_, doubt)| doubt.as_str());
+    doubts.any(|doubt| {
+        doubt.contains(NO_CONTACT_FORCE) && !MISREAD.iter().any(|word| doubt.contains(word))
+    })
+}
+
 /// Groups first rounds whose values are comparable, sorted by robot, tool, surface, dirt, force and source.
 ///
 /// `runs`: one first round of each episode, in the order of the episodes' names. Numbers that are not finite count as
-/// not recorded.
+/// not recorded. A round with a contact share of 0 counts with a contact force of 0 N.
 ///
 /// ```
 /// use wisch_memory::health::{FirstRun, RunSource, group_runs};
@@ -182,10 +207,15 @@ pub fn group_runs(runs: impl IntoIterator<Item = FirstRun>) -> Vec<RunGroup> {
             group.undated += 1;
             continue;
         }
+        let mut values =
+            HealthChannel::ALL.map(|channel| channel.scale(finite(run.values[channel as usize])?));
+        // Without contact there is no force during contact: the tool pressed with 0 N.
+        if values[HealthChannel::ContactShare as usize] == Some(0.0) {
+            values[HealthChannel::ContactForce as usize].get_or_insert(0.0);
+        }
         group.rounds.push(FirstRound {
             interval: run.interval,
-            values: HealthChannel::ALL
-                .map(|channel| channel.scale(finite(run.values[channel as usize])?)),
+            values,
             target: finite(run.target),
             predicted: finite(run.predicted),
         });

@@ -37,6 +37,8 @@ pub struct GroupHealth {
     pub runs: usize,
     /// Number of runs that are left out because their dates are unknown.
     pub undated_runs: usize,
+    /// Number of the newest ten runs whose force shows no contact, although the tool was at the surface.
+    pub newest_without_contact: usize,
     /// Start of the first run [s since 1970]; `None` without a run.
     pub first_s: Option<f64>,
     /// Start of the last run [s since 1970]; `None` without a run.

@@ -1,6 +1,6 @@
 //! A report in words. The command prints them, and the studio shows them.
 
-use super::assess::{FALSE_ALARM_RATE, FEWEST_EPISODES};
+use super::assess::{FALSE_ALARM_RATE, FEWEST_EPISODES, NEW_CHANGE_RUNS};
 use super::channel::HealthChannel;
 use super::report::{
     ChannelAssessment, ChannelHealth, ChannelState, GroupHealth, HealthFinding, HealthFindingKind,
@@ -155,6 +155,20 @@ impl GroupWords {
         if group.undated_runs > 0 {
             let undated = count_with_noun(group.undated_runs, "run");
             runs += &format!("; {undated} left out, because the date is unknown");
+        }
+        let recorded = group.channels[HealthChannel::Performance as usize].recorded;
+        if recorded > 0 && recorded < group.runs {
+            let unknown = count_with_noun(group.runs - recorded, "run");
+            runs += &format!(
+                "; the performance of {unknown} is left out: it is unknown, or only known from below"
+            );
+        }
+        if group.newest_without_contact > 0 {
+            let newest = count_with_noun(group.runs.min(NEW_CHANGE_RUNS), "run");
+            runs += &format!(
+                "; {} of the newest {newest} show no contact at the surface: check the force sensor with a known weight, and whether the tool presses",
+                group.newest_without_contact
+            );
         }
         let is_short = group.runs < FEWEST_EPISODES;
         Self {

@@ -6,7 +6,7 @@ use super::meta::NeemMeta;
 use super::triples::{self, Triple, individual};
 use super::{NeemError, OBSERVATIONS, at, collection_file};
 use crate::ontology::{Ontology, SEMCO_OWL};
-use crate::record::{EpisodeRecord, Individual, Value};
+use crate::record::{EpisodeRecord, Individual};
 use bson::oid::ObjectId;
 use bson::raw::cstr;
 use bson::{DateTime, RawDocumentBuf, rawdoc};
@@ -444,8 +444,7 @@ fn describe_episode(record: &EpisodeRecord) -> String {
         .individuals
         .iter()
         .find(|individual| individual.class == "semco:WipingAction");
-    let performance = action.and_then(|action| action.values.get("semco:performance"));
-    if let Some(Value::Number(performance)) = performance {
+    if let Some(performance) = action.and_then(Individual::performance) {
         text += &format!(", estimated performance {:.1} %", 100.0 * performance);
     }
     text + "."

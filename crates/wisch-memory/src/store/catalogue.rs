@@ -3,8 +3,9 @@
 use super::error::{MemoryError, at};
 use super::{MAX_ID_LEN, Memory, RECORD_FILE, is_id, remove_folder, sync_folder};
 use crate::catalogue::{Catalogue, cache};
+use crate::statements::append;
 use std::collections::HashSet;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::SystemTime;
@@ -131,15 +132,7 @@ impl Memory {
         let folder = self.folder().join(CATALOGUE_FOLDER);
         fs::create_dir_all(&folder).map_err(at(&folder))?;
         let path = folder.join(FORGOTTEN_FILE);
-        let written = OpenOptions::new()
-            .append(true)
-            .create(true)
-            .open(&path)
-            .and_then(|mut file| {
-                file.write_all(format!("{id}\n").as_bytes())?;
-                file.sync_all()
-            });
-        written.map_err(at(&path))
+        append(&path, &format!("{id}\n")).map_err(at(&path))
     }
 
     /// Names of deleted episodes that are still in the tables.

@@ -3,6 +3,7 @@
 use crate::observations::ObservationFault;
 use crate::record::RecordFault;
 use crate::telemetry::TelemetryError;
+use parquet::errors::ParquetError;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -118,6 +119,25 @@ pub enum MemoryError {
     /// Error of the telemetry.
     #[error(transparent)]
     Telemetry(#[from] TelemetryError),
+}
+
+impl MemoryError {
+    /// Whether a file could not be written because the disk is full.
+    pub fn is_disk_full(&self) -> bool {
+        let of = |error: &io::Error| {
+            use io::ErrorKind::{QuotaExceeded, StorageFull};
+            matches!(error.kind(), StorageFull | QuotaExceeded)
+        };
+        match self {
+            Self::File { error, .. } => of(error),
+            Self::Telemetry(TelemetryError::File { error, .. }) => of(error),
+            Self::Telemetry(TelemetryError::Parquet {
+                error: ParquetError::External(error),
+                ..
+            }) => error.downcast_ref().is_some_and(of),
+            _ => false,
+        }
+    }
 }
 
 fn likely(nearest: &str) -> String {

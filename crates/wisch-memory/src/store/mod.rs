@@ -197,17 +197,21 @@ impl Memory {
     pub fn forget(&self, id: &str) -> Result<(), MemoryError> {
         let episode = self.episode(id)?;
         let guard = self.lock()?;
-        self.note_forgotten(id)?;
+        // On a full disk, the note fails until the episode is removed.
+        let noted = self.note_forgotten(id);
         // By one rename, so that no reader meets a partial episode.
         let removed = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
         remove_folder(&removed)?;
         fs::rename(episode.folder(), &removed).map_err(at(episode.folder()))?;
         sync_folder(&self.folder)?;
+        // Still under the lock: another episode with this name may be deleted next.
+        remove_folder(&removed)?;
+        if noted.is_err() {
+            self.note_forgotten(id)?;
+        }
         // Statements about the episode answer no queries any more, as their subject is gone; remove them as well.
         let aside = self.folder.join(NEW_FOLDER).join(TOLD_FILE);
         forget_episode(&self.folder, id, &aside).map_err(at(&self.folder))?;
-        // Still under the lock: another episode with this name may be deleted next.
-        remove_folder(&removed)?;
         drop(guard);
         Ok(())
     }

@@ -167,6 +167,56 @@ fn forces_are_those_on_the_tool_without_the_bias_of_the_sensor() {
     }
 }
 
+/// Half of the time the tool presses with 10 N, logged at 1 kHz, and half of the time it is in the air, logged at 20 Hz;
+/// then there is a gap of 100 s before a last sample with 10 N.
+#[test]
+fn a_mean_is_over_time_at_any_rate() {
+    let folder = tempfile::tempdir().unwrap();
+    let memory = Memory::create(&folder.path().join("episodes")).unwrap();
+    let writer = memory.begin("run-0").unwrap();
+    let columns = ["external/fx", "external/fy", "external/fz"].map(str::to_owned);
+    let mut telemetry = writer
+        .telemetry_with_columns(1, TelemetryHead::default(), &columns)
+        .unwrap();
+    let mark = Mark {
+        motion: 0,
+        phase: Phase::Wipe(0),
+    };
+    let times = (0..5000).map(|k| 1e-3 * f64::from(k));
+    let times = times.chain((100..200).map(|k| 0.05 * f64::from(k)));
+    for time in times {
+        let force = if time < 5.0 { 10.0 } else { 0.0 };
+        telemetry.push(time, mark, [0.0, 0.0, force]).unwrap();
+    }
+    telemetry.push(110.0, mark, [0.0, 0.0, 10.0]).unwrap();
+    telemetry.finish().unwrap();
+    let mut record = record(0);
+    record.interval = [1000.0, 1110.0];
+    record.individuals[0].interval = Some(record.interval);
+    writer.commit(&record).unwrap();
+    for command in engines() {
+        for (query, expected) in [
+            ("telemetry(vertical_force, [1000, 1010], mean, F)", 5.0),
+            (
+                "telemetry(vertical_force, [1000, 1010], rms, F)",
+                50_f64.sqrt(),
+            ),
+            // 10 s, half a second on either side of the gap, and 10 N for 5.5 s.
+            ("telemetry(force, [1000, 1110], mean, F)", 5.0),
+        ] {
+            let found = asked(&memory, command.clone(), query);
+            let [found] = found.as_slice() else {
+                panic!("{query}: {found:?}");
+            };
+            let found: f64 = found.parse().unwrap();
+            assert!(
+                (found - expected).abs() < 0.03 * expected,
+                "{query}: {found}"
+            );
+        }
+    }
+}
+
 #[test]
 fn runs_at_once_are_not_mixed() {
     let (_folder, memory) = two_runs();

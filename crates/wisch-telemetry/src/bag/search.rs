@@ -6,12 +6,17 @@ use super::topic::{AXES_KEY, ROLE_KEY, START_KEY};
 use crate::error::ReadFault;
 use crate::options::{Clock, TopicChoice};
 use crate::quantity::{Quantity, QuantityError};
-use crate::ros2::{MessageError, Schema, Value};
+use crate::ros2::{MessageError, NANOSECONDS_PER_SECOND, Schema, Value};
 use crate::track::{Track, seconds};
 use mcap::Channel;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use wisch::represent::UnknownName;
+
+/// Least difference of stamps and times of recording that makes a date wrong: a day [ns].
+const LONGEST_DELAY: i64 = 86_400 * NANOSECONDS_PER_SECOND as i64;
+/// Earliest time that is a date [ns since 1970]: the year 1990.
+const EARLIEST_DATE: i64 = 630_000_000 * NANOSECONDS_PER_SECOND as i64;
 
 /// Fields that are preferred where a larger message holds the quantity several times: the measured ones of libfranka's
 /// state.
@@ -304,6 +309,25 @@ impl<Q: Quantity> Candidate<Q> {
         }
     }
 
+    /// States that the date of its stamps is not that of its recording, if both are dates: a clock was wrong.
+    fn describe_wrong_date(&self, offset: Offset) -> Option<String> {
+        let stamped = self.entries.iter().find(|entry| entry.stamp != 0)?;
+        let times = [stamped.stamp, stamped.log_time];
+        if offset.median.saturating_abs() < LONGEST_DELAY
+            || times.iter().any(|time| *time < EARLIEST_DATE)
+        {
+            return None;
+        }
+        let [stamp, recorded] = times.map(|time| {
+            let time = jiff::Timestamp::from_nanosecond(time.into()).unwrap_or_default();
+            time.strftime("%Y-%m-%d %H:%M:%S").to_string()
+        });
+        Some(format!(
+            "the stamps of {} begin at {stamp} UTC, but were recorded at {recorded} UTC: one of the clocks was wrong (--time log uses the times of recording)",
+            self.topic
+        ))
+    }
+
     /// Returns its values as a track, by the given clock and shifted by `shift` [ns].
     pub fn into_track(
         self,
@@ -319,6 +343,7 @@ impl<Q: Quantity> Candidate<Q> {
             });
         }
         let offset = self.offset(clock);
+        remarks.extend(self.describe_wrong_date(offset));
         let mut track = Track::new(self.name(), window);
         track.frame = self.frame;
         track.child = self.child;

@@ -9,6 +9,9 @@ use jiff::{Timestamp, civil, tz::TimeZone};
 /// Largest time of a table [s], so that its nanoseconds fit into an integer.
 const MAX_TIME: f64 = 9e9;
 
+/// Largest distance of a time from its origin [s].
+const FARTHEST: f64 = 1e12;
+
 /// Units that the size of times may reveal, the largest first: their size [s] and name.
 const UNITS: [(f64, &str); 4] = [
     (1.0, "seconds"),
@@ -20,11 +23,26 @@ const UNITS: [(f64, &str); 4] = [
 /// Range of seconds since 1970 in the years 1990 to 2100.
 const SINCE_1970: [f64; 2] = [6.3e8, 4.1e9];
 
+/// Clocks of other programs that count a whole number of 100 ns: seconds from their origin to 1970, and their name.
+const CLOCKS: [(i64, &str); 2] = [
+    (11_644_473_600, "100 ns since 1601 (FILETIME of Windows)"),
+    (62_135_596_800, "100 ns since the year 1 (ticks of .NET)"),
+];
+
+/// Unit of these clocks [s].
+const CLOCK_UNIT: f64 = 1e-7;
+
+/// Range of seconds since 1970 in the years 2000 to 2100, in which these clocks are recognised.
+const RECENT: [f64; 2] = [9.46e8, 4.1e9];
+
 /// Steps from this length on are too long for samples in seconds, so the unit is smaller [s].
 const LONG_STEP: f64 = 2.0;
 
 /// Longest step between samples for an assumed unit [s]: 5 samples per second.
 const USUAL_STEP: f64 = 0.2;
+
+/// Least mean number of rows of the same time from which times are too coarse.
+const LEAST_COARSE: usize = 3;
 
 /// Length of a day [ns].
 const DAY: i64 = 86_400 * NANOSECONDS_PER_SECOND as i64;
@@ -96,28 +114,29 @@ impl Instant {
         }
     }
 
-    /// Converts a count of a unit [s] to nanoseconds.
-    fn nanoseconds(self, unit: f64) -> Option<i64> {
-        let per_unit = unit * NANOSECONDS_PER_SECOND as f64;
+    /// Converts a count of a unit [s] since an origin to nanoseconds. `origin`: the time from the count of 0 to the time 0 \[ns\].
+    fn nanoseconds(self, unit: f64, origin: i128) -> Option<i64> {
+        let per_unit = (unit * NANOSECONDS_PER_SECOND as f64 * 1e6).round() / 1e6;
         let limit = MAX_TIME as i128 * i128::from(NANOSECONDS_PER_SECOND);
-        let within = |time: i128| (time.abs() <= limit).then_some(time as i64);
-        match self {
-            Self::Date(time, _) => Some(time),
-            Self::Whole(count) if per_unit.fract() == 0.0 => {
-                within(i128::from(count) * per_unit as i128)
-            }
+        let time = match self {
+            Self::Date(time, _) => return Some(time),
+            Self::Whole(count) if per_unit.fract() == 0.0 => i128::from(count) * per_unit as i128,
             Self::Billionths(billionths) if per_unit.fract() == 0.0 => {
                 let scale = i128::from(NANOSECONDS_PER_SECOND);
                 let time = billionths.checked_mul(per_unit as i128)?;
                 // Rounded to the nearest nanosecond, halves upwards.
-                within((time + scale / 2).div_euclid(scale))
+                (time + scale / 2).div_euclid(scale)
             }
             _ => {
                 let seconds = self.count() * unit;
-                let is_within = seconds.is_finite() && seconds.abs() <= MAX_TIME;
-                is_within.then(|| (seconds * NANOSECONDS_PER_SECOND as f64).round() as i64)
+                if !seconds.is_finite() || seconds.abs() > FARTHEST {
+                    return None;
+                }
+                (seconds * NANOSECONDS_PER_SECOND as f64).round() as i128
             }
-        }
+        };
+        let time = time - origin;
+        (time.abs() <= limit).then_some(time as i64)
     }
 }
 
@@ -195,14 +214,18 @@ pub(super) fn scale_times(
     instants: &[Option<Instant>],
     given: Option<f64>,
 ) -> Result<Scaled, TimeFault> {
-    let (unit, remark) = match given {
-        Some(unit) => (unit, None),
-        None => assumed_unit(instants),
+    let (unit, origin, remark) = match (find_origin(instants, given), given) {
+        (Some((unit, origin, remark)), _) => (unit, origin, Some(remark)),
+        (None, Some(unit)) => (unit, 0, None),
+        (None, None) => {
+            let (unit, remark) = assumed_unit(instants);
+            (unit, 0, remark)
+        }
     };
     let mut times = Vec::with_capacity(instants.len());
     for (index, instant) in instants.iter().enumerate() {
         let time = instant.map(|instant| {
-            instant.nanoseconds(unit).ok_or(TimeFault {
+            instant.nanoseconds(unit, origin).ok_or(TimeFault {
                 index,
                 time: instant.count() * unit,
             })
@@ -216,10 +239,61 @@ pub(super) fn scale_times(
     let zone = lacks_zone
         .then(|| "dates and times of day are read as UTC, because they state no zone".to_owned());
     let turned = add_turns(instants, unit, &mut times);
+    let coarse = describe_coarse_times(&times);
+    let remarks = remark.into_iter().chain(zone).chain(turned).chain(coarse);
     Ok(Scaled {
+        remarks: remarks.collect(),
         times,
-        remarks: remark.into_iter().chain(zone).chain(turned).collect(),
     })
+}
+
+/// Returns the unit [s] of times, the time from their origin to the time 0 [ns], and a remark, if they count from another
+/// origin than 1970: that of a known clock, or any that is too far away for a date if their unit is given.
+fn find_origin(instants: &[Option<Instant>], given: Option<f64>) -> Option<(f64, i128, String)> {
+    let first = instants.iter().flatten().next()?;
+    if matches!(first, Instant::Date(..)) {
+        return None;
+    }
+    let second = i128::from(NANOSECONDS_PER_SECOND);
+    if given.is_none_or(|unit| (unit / CLOCK_UNIT - 1.0).abs() < 1e-9) {
+        let seconds = first.count() * CLOCK_UNIT;
+        let is_it = |(to_1970, _): &&(i64, &str)| {
+            (RECENT[0]..=RECENT[1]).contains(&(seconds - *to_1970 as f64))
+        };
+        if let Some((to_1970, name)) = CLOCKS.iter().find(is_it) {
+            let remark = format!("times are read as {name}; --time-unit-s states another unit");
+            let remark = match given {
+                Some(_) => format!("times are read as {name}"),
+                None => remark,
+            };
+            return Some((CLOCK_UNIT, i128::from(*to_1970) * second, remark));
+        }
+    }
+    let unit = given?;
+    let seconds = first.count() * unit;
+    if !(MAX_TIME..FARTHEST).contains(&seconds.abs()) {
+        return None;
+    }
+    let remark = format!(
+        "times begin at {seconds} s, which is no date, and are read as times since the first sample"
+    );
+    Some((unit, (seconds.round() as i128) * second, remark))
+}
+
+/// Returns a remark on times that most rows share with the row before, such as dates without fractions of a second.
+fn describe_coarse_times(times: &[Option<i64>]) -> Option<String> {
+    let known: Vec<i64> = times.iter().flatten().copied().collect();
+    let runs: Vec<&[i64]> = known.chunk_by(|a, b| a == b).collect();
+    let most = runs.iter().map(|run| run.len()).max()?;
+    let steps = runs.windows(2).map(|pair| pair[1][0] - pair[0][0]);
+    let period = steps.min()?;
+    if LEAST_COARSE * runs.len() > known.len() || period <= 0 {
+        return None;
+    }
+    let rate = most as f64 * NANOSECONDS_PER_SECOND as f64 / period as f64;
+    Some(format!(
+        "up to {most} rows state the same time, and only the first of them is used; if the rows follow each other evenly, read them with --rate {rate}"
+    ))
 }
 
 /// Adds days to times of day after midnight, or the range of a 32-bit counter after it begins anew, if that alone makes
@@ -474,6 +548,58 @@ mod tests {
             let (steps, remarks) = steps(&texts);
             assert!(steps[1] < 0 && remarks.is_empty(), "{texts:?}: {remarks}");
         }
+    }
+
+    #[test]
+    fn times_of_other_clocks_and_of_far_origins_are_read() {
+        let second = NANOSECONDS_PER_SECOND as i64;
+        // 2026-06-01 08:00:00 UTC, and 40 ms later.
+        let begin = 1_780_300_800 * second;
+        for (texts, given, name) in [
+            (
+                ["134247744000000000", "134247744000400000"],
+                None,
+                "FILETIME",
+            ),
+            (
+                ["134247744000000000", "134247744000400000"],
+                Some(1e-7),
+                "FILETIME",
+            ),
+            (["639158976000000000", "639158976000400000"], None, ".NET"),
+        ] {
+            let instants = texts.map(|text| Instant::parse(&Cell::Text(text.into())));
+            let scaled = scale_times(&instants, given).unwrap();
+            let times: Vec<i64> = scaled.times.into_iter().flatten().collect();
+            assert_eq!(times, [begin, begin + 40_000_000], "{texts:?}");
+            assert!(scaled.remarks[0].contains(name), "{:?}", scaled.remarks);
+        }
+        // With a stated unit, the origin may be anywhere.
+        let instants = ["70000000000", "70000000000.04"];
+        let instants = instants.map(|text| Instant::parse(&Cell::Text(text.into())));
+        let scaled = scale_times(&instants, Some(1.0)).unwrap();
+        assert_eq!(scaled.times, [Some(0), Some(40_000_000)]);
+        assert!(
+            scaled.remarks[0].contains("which is no date"),
+            "{:?}",
+            scaled.remarks
+        );
+    }
+
+    #[test]
+    fn dates_without_fractions_name_the_rate() {
+        let texts: Vec<String> = (0..210)
+            .map(|row| format!("2026-06-01T08:00:{:02}Z", (row + 60) / 100))
+            .collect();
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        let (_, remarks) = scaled_texts(&texts);
+        let [remark] = remarks.as_slice() else {
+            panic!("{remarks:?}");
+        };
+        assert!(
+            remark.contains("up to 100 rows state the same time") && remark.ends_with("--rate 100"),
+            "{remark}"
+        );
     }
 
     #[test]

@@ -321,6 +321,27 @@ fn other_formats_are_recognised_by_their_first_bytes() {
         refused(&path, &LogOptions::default()),
         ": this is a bag of ROS 2 in a SQLite database (.db3), but only MCAP files are read; convert it to MCAP first"
     );
+    let workbook = [&b"PK\x03\x04"[..], &[0; 26], b"[Content_Types].xml"].concat();
+    for (begin, kind) in [
+        (&b"[{\"t\": 0.0, \"x\": 1.0}]"[..], "JSON"),
+        (&b"{\n  \"t\": [0.0]}"[..], "JSON"),
+        (&b"\x1f\x8b\x08"[..], "compressed by gzip"),
+        (&b"\xff\xfet\0,\0"[..], "text in UTF-16"),
+        (&b"\x89HDF\r\n\x1a\n"[..], "an HDF5 file"),
+        (&workbook[..], "a workbook of a spreadsheet program"),
+    ] {
+        fs::write(&path, begin).unwrap();
+        assert_eq!(
+            refused(&path, &LogOptions::default()),
+            format!(
+                ": this is {kind}, but only bags (MCAP) and tables (CSV, Parquet, npz) are read"
+            )
+        );
+    }
+    // Names of columns may begin with a bracket.
+    fs::write(&path, b"[s],[m]\n").unwrap();
+    let error = refused(&path, &LogOptions::default());
+    assert!(!error.contains("JSON"), "{error}");
     fs::write(&path, b"PK\x03\x04 what?").unwrap();
     assert_eq!(
         refused(&path, &LogOptions::default()),

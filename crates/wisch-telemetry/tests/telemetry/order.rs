@@ -139,6 +139,33 @@ fn a_sensor_with_its_own_clock_is_aligned() {
 }
 
 #[test]
+fn stamps_of_another_date_than_their_recording_are_stated() {
+    let (_folder, path) = in_folder();
+    // Recorded on 2026-06-21; the clock of the robot was 20 years slow.
+    let recorded = 1_782_000_000_000;
+    let slow = recorded - 630_720_000_000;
+    let times = |stamps: u64| {
+        (1000..=2000)
+            .step_by(10)
+            .map(move |time| [time, recorded + time, stamps + time, stamps + time])
+    };
+    ramp(&path, times(slow));
+    let log = read(&path, &LogOptions::default()).unwrap();
+    let said = "the stamps of /tool/pose begin at 2006-06-26 00:00:01 UTC, but were recorded at 2026-06-21 00:00:01 UTC";
+    assert!(log.remarks[0].starts_with(said), "{:?}", log.remarks);
+    // Neither a right clock nor one that counts from 0 is a wrong date.
+    for stamps in [recorded, 0] {
+        ramp(&path, times(stamps));
+        let log = read(&path, &LogOptions::default()).unwrap();
+        let is_said = log
+            .remarks
+            .iter()
+            .any(|remark| remark.contains("were recorded"));
+        assert!(!is_said, "{:?}", log.remarks);
+    }
+}
+
+#[test]
 fn bags_packed_by_file_or_by_message_are_read() {
     let (folder, path) = in_folder();
     ramp(&path, (1000..=2000).step_by(10).map(|time| [time; 4]));

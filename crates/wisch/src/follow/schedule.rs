@@ -35,6 +35,8 @@ const LINE_STEP: f64 = 1e-3;
 /// Largest distance from the tool of the points of its line that it may skip where it rounds a corner, beyond its deviation
 /// [m]; larger than any permitted deviation.
 const MOST_SKIPPED: f64 = 2e-3;
+/// Least distance by which the tool must be nearer to a later part of its line, to which the line leads by a detour [m].
+const LEAST_GAIN: f64 = 2e-4;
 /// Largest step of a variable for which a limit of the tool's speed is computed [rad or m].
 const MAX_STEP: f64 = 0.05;
 /// Number of parts of a step over which the speed of the tool is compared.
@@ -526,13 +528,16 @@ impl Line {
         let measure = |i: usize| between(&self.poses[i], &self.poses[i + 1], pose);
         let last = self.poses.len() - 2;
         let mut best = measure(*at);
+        let mut has_led_away = false;
         for i in *at + 1..=last {
             let off = measure(i);
-            if cost(&off) < cost(&best) {
-                best = off;
-                *at = i;
-            } else if cost(&off) > cost(&best) + MOST_SKIPPED {
+            let gain = cost(&best) - cost(&off);
+            if gain > if has_led_away { LEAST_GAIN } else { 0.0 } {
+                (best, *at, has_led_away) = (off, i, false);
+            } else if gain < -MOST_SKIPPED {
                 break;
+            } else {
+                has_led_away |= gain < -LEAST_GAIN;
             }
         }
         best

@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use crate::terminal::{Outcome, print, print_json, remark};
 use record::{FORMAT, LearnRecord, SCHEMA, exponentiate_interval, in_words, law_record};
 use rounds::{KnownRounds, RecordedRound, Recording, list_recordings, no_law_failure};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use wisch::geometry::Point2;
 use wisch::interpret::{Exposure, InterpretConfig, Interpreter};
@@ -36,6 +36,8 @@ struct Evidence {
     interaction: Interaction,
     collision_radius: f64,
     rounds: Vec<ObservedRound>,
+    /// Digests of the rounds.
+    digests: Vec<String>,
     /// Folders of the runs and episodes that contain the rounds.
     runs: Vec<PathBuf>,
     /// Bags that do not state their press force.
@@ -57,9 +59,22 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         check_overwritable(&args.out)?;
         Some(OutputFile::begin(&args.out)?)
     };
-    let lessons = collect_evidence(&recordings, &mut tasks, &knowledge, &progress)?;
+    let learned = source.list_learned_rounds()?;
+    let (lessons, known) =
+        collect_evidence(&recordings, &mut tasks, (&knowledge, &learned), &progress)?;
+    if lessons.is_empty() && known > 0 {
+        return Err(known_rounds_failure(known));
+    }
     if lessons.is_empty() {
         return Err(no_law_failure(recordings.len() + left_out));
+    }
+    if known > 0 {
+        let known = format_count(known, "round");
+        progress.aside(|| {
+            remark(&format!(
+                "left out: {known} from which an entry of the knowledge base has been learned already; each round counts once"
+            ));
+        });
     }
     progress.say(format!("fitting {}", format_count(lessons.len(), "law")));
     let given: Vec<LawObservations<'_>> = (lessons.iter())
@@ -78,6 +93,7 @@ pub fn learn(args: &LearnArgs, global: &GlobalArgs) -> Result<Outcome, Failure> 
         .map(|(evidence, law)| InteractionRevision {
             interaction: law.apply_to(&evidence.interaction),
             source: source_in_words(evidence, law),
+            rounds: evidence.digests.clone(),
         })
         .collect();
     let revised = source.revise_knowledge(&revisions)?;
@@ -211,17 +227,29 @@ impl Tasks {
     }
 }
 
-/// Collects the observed rounds of each law. An episode that the command line does not name is left out with a note if its law
+/// The error that the knowledge base has been learned from all rounds already.
+fn known_rounds_failure(known: usize) -> Failure {
+    let known = format_count(known, "given round");
+    Failure::new(format!(
+        "the knowledge base has been learned from all of the {known} already, and each round counts once"
+    ))
+    .with_help("give new rounds, or the knowledge base before that revision with --knowledge DIR")
+}
+
+/// Collects the observed rounds of each law, and counts those from which the knowledge base has been learned already
+/// (`learned`: their digests), which are left out. An episode that the command line does not name is left out with a note if its law
 /// cannot be learned.
 fn collect_evidence(
     recordings: &[Recording],
     tasks: &mut Tasks,
-    knowledge: &KnowledgeBase,
+    (knowledge, learned): (&KnowledgeBase, &BTreeSet<String>),
     progress: &Progress,
-) -> Result<Vec<Evidence>, Failure> {
+) -> Result<(Vec<Evidence>, usize), Failure> {
     let mut reader = EvidenceReader {
         tasks,
         knowledge,
+        learned,
+        already_learned: 0,
         progress,
         count: recordings.iter().map(|run| run.sources.len()).sum(),
         done: 0,
@@ -247,6 +275,7 @@ fn collect_evidence(
             match laws.get_mut(&key) {
                 Some(evidence) => {
                     evidence.rounds.extend(one.rounds);
+                    evidence.digests.extend(one.digests);
                     evidence.runs.extend(one.runs);
                     evidence.undeclared.extend(one.undeclared);
                 }
@@ -269,13 +298,16 @@ fn collect_evidence(
             ));
         });
     }
-    Ok(laws.into_values().collect())
+    Ok((laws.into_values().collect(), reader.already_learned))
 }
 
 /// Reads the observed rounds of runs.
 struct EvidenceReader<'a, 'b> {
     tasks: &'a mut Tasks,
     knowledge: &'a KnowledgeBase,
+    /// Digests of the rounds from which the knowledge base has been learned, and the number of those that were given again.
+    learned: &'a BTreeSet<String>,
+    already_learned: usize,
     progress: &'a Progress,
     /// Number of rounds, and of those that were read.
     count: usize,
@@ -329,6 +361,17 @@ impl<'b> EvidenceReader<'_, 'b> {
         for (key, mut rounds) in rounds {
             let prepared = &self.tasks.known[&key];
             rounds.sort_by_key(|round| round.number);
+            let mut digests: Vec<String> =
+                rounds.iter().map(RecordedRound::compute_digest).collect();
+            let is_new: Vec<bool> = digests
+                .iter()
+                .map(|digest| !self.learned.contains(digest))
+                .collect();
+            digests.retain(|digest| !self.learned.contains(digest));
+            self.already_learned += rounds.len() - digests.len();
+            if digests.is_empty() {
+                continue;
+            }
             let interaction = find_interaction(prepared, self.knowledge, &rounds[0].place)?;
             for round in &rounds {
                 check_force(prepared, round)?;
@@ -341,7 +384,8 @@ impl<'b> EvidenceReader<'_, 'b> {
                 undeclared: (rounds.iter().filter(is_undeclared))
                     .map(|round| round.place.clone())
                     .collect(),
-                rounds: read_observed_rounds(prepared, rounds, self.progress)?,
+                rounds: read_observed_rounds(prepared, (rounds, &is_new), self.progress)?,
+                digests,
                 runs: vec![run.folder.clone()],
             });
         }
@@ -425,10 +469,11 @@ fn find_interaction(
     Ok(known.clone())
 }
 
-/// Interprets the rounds of a run and pairs their camera observations with the measured exposure of each particle.
+/// Interprets the rounds of a run and pairs their camera observations with the measured exposure of each particle. Rounds that
+/// are not new only expose the dirt of later ones.
 fn read_observed_rounds(
     prepared: &LoadedTask,
-    rounds: Vec<RecordedRound>,
+    (rounds, is_new): (Vec<RecordedRound>, &[bool]),
     progress: &Progress,
 ) -> Result<Vec<ObservedRound>, Failure> {
     let sensor = prepared.file.camera.unwrap_or_default();
@@ -436,7 +481,7 @@ fn read_observed_rounds(
     let effect = prepared.task.action.effect();
     let mut interpreted: Vec<(Task, Interpreter)> = Vec::new();
     let mut seen = Vec::new();
-    for round in rounds {
+    for (round, is_new) in rounds.into_iter().zip(is_new) {
         let fault = |problem: &dyn std::fmt::Display| Failure::new(problem).within(&round.place);
         prepare::check_mesh(round.surface_mesh.as_deref(), &prepared.task)
             .map_err(|failure| failure.within(&round.place))?;
@@ -483,6 +528,10 @@ fn read_observed_rounds(
         }
         for sample in &round.samples {
             interpreter.push(sample).map_err(|error| fault(&error))?;
+        }
+        if !is_new {
+            interpreted.push((task, interpreter));
+            continue;
         }
         let exposures = |interpreter: &Interpreter, places: &[Point2]| {
             let error = sensor.position_error_m;

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use wisch::geometry::Pose;
 use wisch::interpret::{TouchSample, UnusableWrenches};
 use wisch::represent::Observation;
+use wisch_io::FileDigest;
 use wisch_memory::{Episode, MemoryError, is_same_motion, may_be_same_observations};
 use wisch_telemetry::{LogOptions, is_bag, read};
 
@@ -147,6 +148,33 @@ impl Source {
 }
 
 impl RecordedRound {
+    /// Returns a digest that the bag and the episode of a round share: of its duration, of its first and last tool position,
+    /// and of its detections, in the single precision in which files keep them.
+    pub fn compute_digest(&self) -> String {
+        let mut digest = FileDigest::EMPTY;
+        let ends = self.samples.first().zip(self.samples.last());
+        if let Some((first, last)) = ends {
+            let milliseconds = (1e3 * (last.time - first.time)).round() as i64;
+            digest.add(&milliseconds.to_le_bytes());
+        }
+        let mut add = |number: f64| digest.add(&(number as f32).to_le_bytes());
+        for sample in self.samples.first().into_iter().chain(self.samples.last()) {
+            let place = sample.world_from_tool.translation.vector;
+            place.iter().for_each(|number| add(*number));
+        }
+        for place in self
+            .observations
+            .iter()
+            .flatten()
+            .flat_map(|seen| &seen.detections)
+        {
+            add(place.x);
+            add(place.y);
+        }
+        let text = digest.to_string();
+        text.split(':').nth(1).unwrap_or(&text).to_owned()
+    }
+
     /// Returns the observations before and after the round.
     ///
     /// # Errors
