@@ -283,13 +283,20 @@ impl Interpreter {
 
     /// Classifies the pieces. If the force differs from the declared one, either the sensor has
     /// another scale, or the tool presses with another force and is compressed by another distance.
-    /// The cause for which the surface is nearer to the believed one is taken.
+    /// The cause for which the surface is nearer to the believed one is taken, unless it is known.
     fn level(
         &self,
         measured: &[MeasuredPiece],
         reading: &ForceReading,
         reference: f64,
+        known: Option<ForceCause>,
     ) -> LeveledLog {
+        if let Some(known) = known {
+            return LeveledLog {
+                force_cause: Some(known),
+                ..self.level_by(measured, reading, reference, known.cause)
+            };
+        }
         let by_scale = self.level_by(measured, reading, reference, OtherForce::Scale);
         let is_declared = reference == self.config.nominal_force();
         if is_declared || self.config.stiffness().is_none() {
@@ -297,13 +304,13 @@ impl Interpreter {
         }
         let by_press = self.level_by(measured, reading, reference, OtherForce::Press);
         let offsets = [&by_press, &by_scale].map(|leveled| leveled.offset(&self.surface));
-        let nearer = if offsets[0] < offsets[1] {
-            by_press
+        let (cause, nearer) = if offsets[0] < offsets[1] {
+            (OtherForce::Press, by_press)
         } else {
-            by_scale
+            (OtherForce::Scale, by_scale)
         };
         LeveledLog {
-            offsets: Some(offsets),
+            force_cause: Some(ForceCause { cause, offsets }),
             ..nearer
         }
     }
@@ -359,7 +366,7 @@ impl Interpreter {
             levels,
             classified,
             counts_lean: false,
-            offsets: None,
+            force_cause: None,
         }
     }
 
@@ -378,8 +385,61 @@ impl Interpreter {
         }
     }
 
-    /// Reads the forces, classifies the pieces and detects the events.
+    /// Analyses the log over the surface at the pose that its contacts show: a curved surface that lies elsewhere has other
+    /// places below the tool.
     fn analyse(&self) -> LogAnalysis {
+        let believed = self.analyse_over_surface(None);
+        let Some(pose) = self.find_other_pose(&believed.classified) else {
+            return believed;
+        };
+        let moved = Self {
+            surface: Surface {
+                world_from_surface: self.surface.world_from_surface * pose,
+                ..self.surface.clone()
+            },
+            downsampler: self.downsampler.with_surface_at(&pose),
+            ..self.clone()
+        };
+        let mut analysis = moved.analyse_over_surface(believed.force_cause);
+        let classified = &mut analysis.classified;
+        let (Some((_, plane)), Some(fit)) = (&mut classified.plane, &mut classified.registration)
+        else {
+            return believed;
+        };
+        fit.believed_from_real = pose * fit.believed_from_real;
+        *plane = self.describe_pose(plane, &fit.believed_from_real);
+        classified.is_moved = believed.classified.is_moved;
+        analysis
+    }
+
+    /// Returns the pose of a curved surface in the frame of the believed one, if its contacts show that it lies elsewhere.
+    fn find_other_pose(&self, classified: &ClassifiedPath) -> Option<Pose> {
+        let registration = classified.registration.as_ref()?;
+        let (_, plane) = classified.plane.as_ref()?;
+        let is_elsewhere = classified.is_moved || !self.is_here(plane, classified);
+        is_elsewhere.then_some(registration.believed_from_real)
+    }
+
+    /// Describes a plane on the chart of the surface at this pose by its height and tilt in the middle of the believed
+    /// surface.
+    fn describe_pose(&self, plane: &FittedPlane, believed_from_real: &Pose) -> FittedPlane {
+        let shape = &self.surface.shape;
+        let place = middle(&self.surface);
+        let believed_from_middle = shape.place(place, 0.0);
+        let middle_from_real = believed_from_middle.inverse() * believed_from_real;
+        let at = shape.chart(middle_from_real.inverse() * Point3::origin());
+        let normal = middle_from_real.rotation * shape.orientation(at.place) * Vector3::z();
+        FittedPlane {
+            point: Point3::new(place.x, place.y, -at.height),
+            normal,
+            tilt: libm::acos(normal.z.clamp(-1.0, 1.0)),
+            offset: -at.height,
+            ..*plane
+        }
+    }
+
+    /// Reads the forces, classifies the pieces over the surface and detects the events.
+    fn analyse_over_surface(&self, known: Option<ForceCause>) -> LogAnalysis {
         let (measured, corrections) = self.correct_pieces();
         let measured = &measured[..];
         let reading = ForceReading::of(measured, &self.surface, &self.config);
@@ -391,8 +451,8 @@ impl Interpreter {
             levels,
             classified,
             counts_lean,
-            offsets,
-        } = self.level(measured, &reading, reference);
+            force_cause,
+        } = self.level(measured, &reading, reference, known);
         let pieces = &pieces;
         let classifier = self.classifier(&config, reference, levels);
         let believed_from_real = classified
@@ -422,7 +482,7 @@ impl Interpreter {
             levels,
             steep,
             found_stiffness,
-            offsets,
+            offsets: force_cause.map(|found| found.offsets),
             own_tilt: self.own_tilt,
             pieces,
             reading: &reading,
@@ -468,6 +528,7 @@ impl Interpreter {
             force_ratio: reference / self.config.nominal_force(),
             config,
             classified,
+            force_cause,
             counts_lean,
             believed_from_real,
             events,
@@ -625,21 +686,23 @@ impl Interpreter {
         }
     }
 
-    fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
+    /// Whether the surface is where it was believed to be.
+    fn is_here(&self, plane: &FittedPlane, classified: &ClassifiedPath) -> bool {
         // In the chart, a yawed surface is no tilted plane.
         let is_turned = (classified.registration.as_ref()).is_some_and(|registration| {
             classified.is_moved
                 && registration.believed_from_real.rotation.angle() >= self.config.relocalize_tilt
         });
-        let is_here = |plane: &FittedPlane| {
-            plane.tilt < self.config.relocalize_tilt
-                && plane.offset.abs() < self.config.relocalize_offset_m
-                && !is_turned
-        };
+        plane.tilt < self.config.relocalize_tilt
+            && plane.offset.abs() < self.config.relocalize_offset_m
+            && !is_turned
+    }
+
+    fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
         match &classified.plane {
             None if self.config.gap_m > 0.0 => Diagnosis::Hovering,
             None => Diagnosis::NoContact,
-            Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
+            Some((_, plane)) if self.is_here(plane, classified) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface
                     * (classified.registration.as_ref()).map_or_else(
@@ -662,6 +725,7 @@ struct LogAnalysis {
     /// The settings with the log's own nominal force.
     config: InterpretConfig,
     classified: ClassifiedPath,
+    force_cause: Option<ForceCause>,
     /// Whether the heights are those of a tool that lies flat, although it leans.
     counts_lean: bool,
     believed_from_real: Pose,
@@ -715,9 +779,17 @@ struct LeveledLog {
     classified: ClassifiedPath,
     /// Whether the heights are those of a tool that lies flat, although it leans.
     counts_lean: bool,
+    /// `None` for the declared force.
+    force_cause: Option<ForceCause>,
+}
+
+/// Why the force of a log differs from the declared one.
+#[derive(Debug, Clone, Copy)]
+struct ForceCause {
+    cause: OtherForce,
     /// Distances of the surface from where it is believed to be, if the tool pressed with the force of the log, and if this
-    /// force has a wrong scale \[m\]; `None` for the declared force.
-    offsets: Option<[f64; 2]>,
+    /// force has a wrong scale [m].
+    offsets: [f64; 2],
 }
 
 impl LeveledLog {

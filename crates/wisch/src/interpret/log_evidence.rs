@@ -3,7 +3,7 @@
 use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactLevels, ContactShape, ForceReading, MeasuredPiece, PathPiece,
-    PressDirection, ShapeFit, ToolStiffness, is_inland,
+    PressDirection, ToolStiffness, is_inland,
 };
 use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
@@ -323,8 +323,12 @@ impl LogEvidence<'_> {
 
     /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
-        let moved = (self.classified.registration.as_ref()).map(|fit| self.moved_pieces(fit));
-        let mut pieces = moved.unwrap_or_else(|| self.pieces.to_vec());
+        let mut pieces = self.pieces.to_vec();
+        if let Some(fit) = &self.classified.registration {
+            for piece in &mut pieces {
+                *piece = piece.in_chart_at(&fit.believed_from_real, &self.surface.shape);
+            }
+        }
         // Where a hand carries the tool, it shows no shape.
         for slide in self.slides_without_friction().iter().rev() {
             pieces.drain(slide.pieces.clone());
@@ -358,20 +362,6 @@ impl LogEvidence<'_> {
             ContactShape::Other => Doubt::NotPlanar { off },
         });
         doubt.or_else(|| self.find_steady_contact_off_plane())
-    }
-
-    /// Returns the pieces in the chart of the registered surface.
-    fn moved_pieces(&self, fit: &ShapeFit) -> Vec<MeasuredPiece> {
-        let moved = self.pieces.iter().map(|piece| {
-            let place = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
-            let position = fit.to_fitted_chart(&self.surface.shape, &place);
-            MeasuredPiece {
-                position,
-                mean_height: position.z,
-                ..*piece
-            }
-        });
-        moved.collect()
     }
 
     /// Returns a doubt if the tool slid off the plane with the force and the friction with which it slides on it: a hand that

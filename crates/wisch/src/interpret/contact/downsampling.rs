@@ -1,9 +1,10 @@
 //! Reduction of a log to pieces, in memory that is bounded for any length and sampling rate.
 
 use super::path::TouchSample;
+use super::registration::in_space;
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
 use crate::interpret::error::InterpretError;
-use crate::represent::Surface;
+use crate::represent::{Surface, SurfaceShape};
 use nalgebra::UnitQuaternion;
 use std::collections::VecDeque;
 
@@ -56,6 +57,36 @@ pub(in crate::interpret) struct MeasuredPiece {
     pub(in crate::interpret) peak_force: f64,
 }
 
+impl MeasuredPiece {
+    /// Returns the piece in the chart of the surface at another pose, which is given in the frame of the believed surface.
+    pub(in crate::interpret) fn in_chart_at(&self, pose: &Pose, shape: &SurfaceShape) -> Self {
+        let back = pose.inverse();
+        let chart_at = |height: f64| {
+            let point = Point3::new(self.position.x, self.position.y, height);
+            shape.chart(back * in_space(shape, &point))
+        };
+        let at = chart_at(self.position.z);
+        let turn = shape.orientation(at.place);
+        let turned = turn.inverse() * back.rotation * self.turn.unwrap_or_default();
+        let surface_from_tool = turned * self.surface_from_tool;
+        Self {
+            position: Point3::new(at.place.x, at.place.y, at.height),
+            mean_height: chart_at(self.mean_height).height,
+            heading: heading_of(&surface_from_tool),
+            surface_from_tool,
+            turn: Some(turn),
+            force: turned * self.force,
+            ..*self
+        }
+    }
+}
+
+/// Yaw of a tool with this orientation [rad].
+fn heading_of(surface_from_tool: &UnitQuaternion<f64>) -> f64 {
+    let axis = surface_from_tool * Vector3::x();
+    libm::atan2(axis.y, axis.x)
+}
+
 /// Jumps of the pose, faster than any tool moves.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(in crate::interpret) struct PoseJumps {
@@ -103,6 +134,21 @@ impl Downsampler {
             recent: VecDeque::new(),
             jumped: Vec::new(),
             jumps: PoseJumps::default(),
+        }
+    }
+
+    /// Returns the pieces so far over the surface at another pose, which is given in the frame of the believed surface.
+    pub(in crate::interpret) fn with_surface_at(&self, pose: &Pose) -> Self {
+        let mut surface = self.surface.clone();
+        surface.world_from_surface *= *pose;
+        let pieces = self.pieces.iter();
+        Self {
+            surface_from_world: surface.world_from_surface.inverse(),
+            pieces: pieces
+                .map(|piece| piece.in_chart_at(pose, &surface.shape))
+                .collect(),
+            surface,
+            ..self.clone()
         }
     }
 
@@ -200,13 +246,12 @@ impl Downsampler {
             (tool, Some(self.surface.shape.orientation(place)))
         };
         let force = self.surface_from_world.rotation * sample.force;
-        let axis_in_surface = surface_from_tool.rotation * Vector3::x();
         let one = MeasuredPiece {
             time: [sample.time; 2],
             samples: 1,
             position: surface_from_tool.translation.vector.into(),
             mean_height: surface_from_tool.translation.z,
-            heading: libm::atan2(axis_in_surface.y, axis_in_surface.x),
+            heading: heading_of(&surface_from_tool.rotation),
             surface_from_tool: surface_from_tool.rotation,
             turn,
             force: turn.map_or(force, |turn| turn.inverse() * force),

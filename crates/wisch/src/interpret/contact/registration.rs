@@ -40,16 +40,6 @@ pub struct ShapeFit {
 }
 
 impl ShapeFit {
-    /// Returns a point of the believed surface's chart in that of the fitted surface; its z is the height \[m\].
-    pub(in crate::interpret) fn to_fitted_chart(
-        &self,
-        shape: &SurfaceShape,
-        point: &Point3,
-    ) -> Point3 {
-        let at = shape.chart(self.believed_from_real.inverse() * in_space(shape, point));
-        Point3::new(at.place.x, at.place.y, at.height)
-    }
-
     /// Returns the height of a point over the fitted surface \[m\]; `point` is in the frame of the believed surface.
     pub fn height(&self, shape: &SurfaceShape, point: Point3) -> f64 {
         shape
