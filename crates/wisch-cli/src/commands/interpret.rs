@@ -15,7 +15,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
-    Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
+    Belief, Diagnosis, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
     ObservationUpdate,
 };
 use wisch::represent::{Action, GoalState, ParticleDistribution, SurfaceShape};
@@ -538,6 +538,10 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
+        if record.diagnosis == Diagnosis::Unfitted.as_str() {
+            return "not found: the contacts fit it at no pose that was tried; its believed pose is kept"
+                .to_owned();
+        }
         let advice = "check surface.position_m and --world-from-log";
         return format!("not found: no contact ({advice})");
     };

@@ -229,9 +229,11 @@ impl Interpreter {
         }
         let diagnosis = match &shift {
             Some(plane) => self.diagnose_shift(plane),
+            None if self.is_unfitted(&classified, &doubts) => Diagnosis::Unfitted,
             None => self.diagnosis(&classified, &believed_from_real),
         };
         let plane = shift.or(classified.plane.map(|(_, described)| described));
+        let is_fitted = diagnosis != Diagnosis::Unfitted;
         Ok(Interpretation {
             diagnosis,
             events,
@@ -249,8 +251,8 @@ impl Interpreter {
             observation: None,
             distribution,
             belief,
-            plane,
-            registration: classified.registration,
+            plane: plane.filter(|_| is_fitted),
+            registration: classified.registration.filter(|_| is_fitted),
             residuals: classified.residuals,
             path: classified.path,
         })
@@ -633,27 +635,11 @@ impl Interpreter {
         corners.fold(0.0, f64::max)
     }
 
-    /// Converts a small motion of the surface, given in the chart, to a motion in the surface
-    /// frame, about the middle of the surface.
-    fn unroll(&self, believed_from_real: &Pose) -> Pose {
-        let shape = &self.surface.shape;
-        if shape.is_plane() {
-            return *believed_from_real;
-        }
-        let middle = middle(&self.surface);
-        let surface_from_middle = shape.place(middle, 0.0);
-        let chart_from_middle = Pose::translation(middle.x, middle.y, 0.0);
-        let moved = chart_from_middle.inverse() * believed_from_real * chart_from_middle;
-        surface_from_middle * moved * surface_from_middle.inverse()
-    }
-
     /// Returns the believed plane at the median height of the contacts, if they lie on another shape and most of them on no
     /// plane. The plane through the others then says nothing about the pose of the surface.
     fn shift_without_plane(&self, analysis: &LogAnalysis) -> Option<FittedPlane> {
         let (fit, plane) = analysis.classified.plane.as_ref()?;
-        let is_scattered =
-            (analysis.doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }));
-        if !is_scattered || !analysis.doubts.iter().any(Doubt::is_other_shape) {
+        if !self.surface.shape.is_plane() || !is_scattered(&analysis.doubts) {
             return None;
         }
         let heights = (analysis.classified.path.iter())
@@ -675,12 +661,19 @@ impl Interpreter {
         })
     }
 
+    /// Whether contacts lie on a curved surface at no pose: its height over the believed one then means nothing.
+    fn is_unfitted(&self, classified: &ClassifiedPath, doubts: &[Doubt]) -> bool {
+        !self.surface.shape.is_plane()
+            && classified.plane.is_some()
+            && (classified.registration.is_none() || is_scattered(doubts))
+    }
+
     /// Returns the diagnosis for a surface of which only the height is known.
     fn diagnose_shift(&self, plane: &FittedPlane) -> Diagnosis {
         if plane.offset.abs() < self.config.relocalize_offset_m {
             return Diagnosis::Localized;
         }
-        let shift = self.unroll(&Pose::translation(0.0, 0.0, plane.offset));
+        let shift = Pose::translation(0.0, 0.0, plane.offset);
         Diagnosis::Relocalize {
             world_from_surface: self.surface.world_from_surface * shift,
         }
@@ -705,10 +698,8 @@ impl Interpreter {
             Some((_, plane)) if self.is_here(plane, classified) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface
-                    * (classified.registration.as_ref()).map_or_else(
-                        || self.unroll(believed_from_real),
-                        |registration| registration.believed_from_real,
-                    ),
+                    * (classified.registration.as_ref())
+                        .map_or(*believed_from_real, |fit| fit.believed_from_real),
             },
         }
     }
@@ -852,6 +843,12 @@ pub fn interpret<'a>(
         interpreter.push(sample)?;
     }
     interpreter.conclude(believed, goal)
+}
+
+/// Whether the contacts lie on another shape, and most of them on no plane.
+fn is_scattered(doubts: &[Doubt]) -> bool {
+    doubts.iter().any(Doubt::is_other_shape)
+        && (doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }))
 }
 
 /// Whether a doubt leaves open what the tool touched. Members of the belief that differ in the scale of the force already

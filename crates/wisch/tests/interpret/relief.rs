@@ -7,7 +7,7 @@ use super::log::{BOARD, DEPTH, PRESS, STEEP, task};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::{PI, TAU};
-use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::geometry::{Point2, Point3, Pose, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, InterpretConfig, Interpretation};
 use wisch::represent::SurfaceShape;
 use wisch_testkit::{Relief, ReliefWipe};
@@ -521,6 +521,47 @@ fn places_along_a_cylinder_elsewhere_are_those_of_its_fitted_pose() {
             "{what}: {error:?}"
         );
     }
+}
+
+/// A narrow cylinder is found far beside its believed place; a shape that fits nowhere does not move the surface.
+#[test]
+fn a_cylinder_is_found_beside_its_place_and_another_shape_is_not() {
+    let beside = |relief, shift: f64| {
+        let moved = ReliefWipe {
+            believed_from_real: Pose::translation(shift, 0.0, 0.0),
+            ..wipe(relief)
+        };
+        read_rolled(&moved, 0.2)
+    };
+    let pipe = Relief::Cylinder {
+        curvature: 5.0,
+        axis: 0.5 * PI,
+    };
+    for shift in [0.04, -0.04] {
+        let found = beside(pipe, shift);
+        assert_eq!(found.doubts, [], "{shift}");
+        let Diagnosis::Relocalize { world_from_surface } = found.diagnosis else {
+            panic!("{shift}: {:?}", found.diagnosis);
+        };
+        // The axis counts, as the cylinder may also turn about it.
+        let believed = task(80, STEEP).surface.world_from_surface;
+        let axis = believed.inverse() * world_from_surface * Point3::new(0.0, 0.0, -0.2);
+        let off = axis.xz() - Point2::new(shift, -0.2);
+        assert!(off.norm() < 2e-3, "{shift}: {axis:?}");
+    }
+    let saddle = Relief::Saddle {
+        curvature: 5.0,
+        axis: 0.5 * PI,
+    };
+    let found = beside(saddle, 0.0);
+    assert!(
+        (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::OffShape { .. })),
+        "{:?}",
+        found.doubts
+    );
+    assert_eq!(found.diagnosis, Diagnosis::Unfitted);
+    assert!(found.plane.is_none() && found.registration.is_none());
+    assert!(!found.is_conclusive());
 }
 
 #[test]

@@ -132,7 +132,7 @@ fn write_not_planar(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
 fn write_off_shape(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
     write!(
         f,
-        "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
+        "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it at the pose that fits them best; check its radius and axis, its mesh, and its pose",
         1e3 * off
     )
 }
