@@ -446,7 +446,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
                     "in contact for {} of the time on or near the surface",
                     percent(share)
                 ),
-                None => "unknown: the log shows no contact, or the tool was never near the surface"
+                None => "unknown: the log shows no contact with this side of the surface, or the tool was never near it"
                     .to_owned(),
             },
         ),
@@ -529,7 +529,9 @@ fn force_in_words(record: &InterpretationRecord) -> String {
             format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted")
         }
         None => {
-            format!("{pressed}bias unknown, because the log shows no calm free motion: 0 N assumed")
+            format!(
+                "{pressed}bias unknown, because the log shows no calm free motion on this side of the surface: 0 N assumed"
+            )
         }
     }
 }
@@ -539,7 +541,7 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
         if record.diagnosis == Diagnosis::Unfitted.as_str() {
-            return "not found: the contacts fit it at no pose that was tried; its believed pose is kept"
+            return "not found: the contacts fit this side of it at no pose that was tried; its believed pose is kept"
                 .to_owned();
         }
         let advice = "check surface.position_m and --world-from-log";

@@ -98,6 +98,8 @@ pub enum Doubt {
         /// Median distance of the tool from the origin of the surface \[m\].
         distance: f64,
     },
+    /// The tool pressed against the other side of the surface, and moved freely on that side.
+    OtherSide,
     /// The tool never came near the surface.
     NeverNearSurface {
         /// Smallest distance of the tool from the believed surface \[m\].
@@ -417,6 +419,7 @@ impl Doubt {
             Self::NoContactForce { .. }
             | Self::ForceInOtherUnit { .. }
             | Self::FarAway { .. }
+            | Self::OtherSide
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
             | Self::Curved { .. }

@@ -391,7 +391,8 @@ impl Interpreter {
     /// places below the tool.
     fn analyse(&self) -> LogAnalysis {
         let believed = self.analyse_over_surface(None);
-        let Some(pose) = self.find_other_pose(&believed.classified) else {
+        let pose = self.find_other_pose(&believed.classified);
+        let Some(pose) = pose.filter(|_| !believed.doubts.contains(&Doubt::OtherSide)) else {
             return believed;
         };
         let moved = Self {
@@ -487,6 +488,7 @@ impl Interpreter {
             offsets: force_cause.map(|found| found.offsets),
             own_tilt: self.own_tilt,
             pieces,
+            measured,
             reading: &reading,
             classified: &classified,
             events: &events,
@@ -524,9 +526,10 @@ impl Interpreter {
             .flatten();
         // Without contacts on a plane it is unknown whether the tool touched.
         let has_plane = classified.plane.is_some();
+        let is_read = !doubts.contains(&Doubt::OtherSide);
         LogAnalysis {
-            force_bias: (reading.has_free_motion).then(|| reading.normal_bias(measured)),
-            pressed: reading.pressed,
+            force_bias: (reading.has_free_motion && is_read).then(|| reading.normal_bias(measured)),
+            pressed: reading.pressed.filter(|_| is_read),
             force_ratio: reference / self.config.nominal_force(),
             config,
             classified,
@@ -534,7 +537,7 @@ impl Interpreter {
             counts_lean,
             believed_from_real,
             events,
-            contact_share: contact_share.filter(|share| *share > 0.0 || has_plane),
+            contact_share: contact_share.filter(|share| is_read && (*share > 0.0 || has_plane)),
             doubts,
             stiffness,
             found_stiffness,
@@ -661,11 +664,12 @@ impl Interpreter {
         })
     }
 
-    /// Whether contacts lie on a curved surface at no pose: its height over the believed one then means nothing.
+    /// Whether contacts lie on a curved surface at no pose, or on its other side: their height over it then means nothing.
     fn is_unfitted(&self, classified: &ClassifiedPath, doubts: &[Doubt]) -> bool {
-        !self.surface.shape.is_plane()
+        let is_elsewhere = !self.surface.shape.is_plane()
             && classified.plane.is_some()
-            && (classified.registration.is_none() || is_scattered(doubts))
+            && (classified.registration.is_none() || is_scattered(doubts));
+        is_elsewhere || doubts.contains(&Doubt::OtherSide)
     }
 
     /// Returns the diagnosis for a surface of which only the height is known.
@@ -857,13 +861,17 @@ fn is_misreading(doubt: &Doubt) -> bool {
     doubt.is_decisive() && !matches!(doubt, Doubt::PressForceDiffers { .. })
 }
 
-/// Removes the pushes that another surface or a lasting change of the bias explains.
+/// Removes the pushes that another surface or a lasting change of the bias explains, and all events on the other side of the
+/// surface.
 fn leave_out_false_pushes(
     events: &mut Vec<Event>,
     doubts: &[Doubt],
     pieces: &[MeasuredPiece],
     reading: &ForceReading,
 ) {
+    if doubts.contains(&Doubt::OtherSide) {
+        events.retain(|event| event.kind.is_phase());
+    }
     let is_held = |doubt: &Doubt| matches!(doubt, Doubt::HeldPoses { .. }) && doubt.is_decisive();
     if doubts
         .iter()

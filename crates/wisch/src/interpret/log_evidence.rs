@@ -13,6 +13,11 @@ use std::ops::Range;
 
 /// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
+/// Largest force in free motion over the nominal force [1], its least distance from the contacts [m], and the largest share
+/// of the time that may speak for the other side [1].
+const FREE_FORCE: f64 = 0.2;
+const FREE_DISTANCE: f64 = 8e-3;
+const FEW: f64 = 0.1;
 /// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
 const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
@@ -106,6 +111,8 @@ fn least_drag(on_plane: &[SteadySlide]) -> f64 {
 pub(super) struct LogEvidence<'a> {
     /// Pieces of the log, with their forces as read.
     pub(super) pieces: &'a [MeasuredPiece],
+    /// The same pieces, with their forces as measured.
+    pub(super) measured: &'a [MeasuredPiece],
     pub(super) reading: &'a ForceReading,
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
@@ -147,6 +154,11 @@ impl LogEvidence<'_> {
         }
         if self.declared.gap_m > 0.0 {
             doubts.extend(led);
+            return doubts;
+        }
+        // Read for the believed side, the force in the air is a contact, and that of the contact a bias or a hand's.
+        if let Some(side) = self.find_other_side() {
+            doubts.push(side);
             return doubts;
         }
         doubts.extend(self.find_sparseness());
@@ -292,6 +304,38 @@ impl LogEvidence<'_> {
         let size = corners.map(|corner| corner.coords.norm());
         let size = size.fold(0.0, f64::max);
         (distance > size + FAR).then_some(Doubt::FarAway { distance })
+    }
+
+    /// Returns a doubt if the force over the surface is that of contact on its other side, and the tool moves freely only on
+    /// that side of its contacts. The axes of the tool say nothing, because z may point into the surface as well as out of it.
+    fn find_other_side(&self) -> Option<Doubt> {
+        let nominal = self.declared.nominal_force();
+        let path = &self.classified.path;
+        let over: Vec<(&MeasuredPiece, f64)> = (self.measured.iter().enumerate())
+            .filter(|(_, piece)| self.surface.outline.contains(piece.position.xy()))
+            .map(|(i, piece)| (piece, PathPiece::duration(path, i).min(LONGEST_GAP)))
+            .collect();
+        let time = |is_so: &dyn Fn(&MeasuredPiece) -> bool| -> f64 {
+            let those = over.iter().filter(|(piece, _)| is_so(piece));
+            those.map(|(_, lasts)| lasts).sum()
+        };
+        let is_pressed = |piece: &MeasuredPiece| piece.force.z <= -PRESSING * nominal;
+        let pressed = time(&is_pressed);
+        if pressed < LEAST_PRESSING
+            || time(&|piece| piece.force.z >= PRESSING * nominal) > FEW * pressed
+        {
+            return None;
+        }
+        let mut heights: Vec<f64> = (over.iter())
+            .filter(|(piece, _)| is_pressed(piece))
+            .map(|(piece, _)| piece.mean_height)
+            .collect();
+        heights.sort_unstable_by(f64::total_cmp);
+        let [low, high] = [1, 19].map(|part| heights[(heights.len() - 1) * part / 20]);
+        let is_free = |piece: &MeasuredPiece| piece.force.norm() <= FREE_FORCE * nominal;
+        let below = time(&|piece| is_free(piece) && piece.mean_height < low - FREE_DISTANCE);
+        let above = time(&|piece| is_free(piece) && piece.mean_height > high + FREE_DISTANCE);
+        (below >= LEAST_PRESSING && above <= FEW * below).then_some(Doubt::OtherSide)
     }
 
     /// Returns the sizes of the forces at which the tool was low enough to touch, in ascending order [N], and the time there

@@ -564,6 +564,44 @@ fn a_cylinder_is_found_beside_its_place_and_another_shape_is_not() {
     assert!(!found.is_conclusive());
 }
 
+/// A mesh whose faces point inwards, or a board that is upside down: one doubt, and nothing that follows from it.
+#[test]
+fn a_log_of_the_other_side_is_named_and_not_read() {
+    let over = Pose::new(Vector3::zeros(), Vector3::x() * PI);
+    for (curvature, height) in [(0.0, 0.0), (0.0, -0.01), (1.0, 0.0), (-1.0, 0.005)] {
+        let relief = Relief::Cylinder {
+            curvature,
+            axis: 0.5 * PI,
+        };
+        let turned = ReliefWipe {
+            believed_from_real: Pose::translation(0.0, 0.0, height) * over,
+            friction: 0.3,
+            ..wipe(relief)
+        };
+        let found = if curvature == 0.0 {
+            read(&turned)
+        } else {
+            // Seen from the other side, a bulge is a hollow.
+            read_rolled(&turned, -1.0 / curvature)
+        };
+        let what = format!("{curvature} {height}");
+        assert_eq!(found.doubts, [Doubt::OtherSide], "{what}");
+        assert_eq!(found.diagnosis, Diagnosis::Unfitted, "{what}");
+        assert!(
+            found.events.iter().all(|event| event.kind.is_phase()),
+            "{what}"
+        );
+        assert_eq!(
+            (found.force_bias, found.contact_share),
+            (None, None),
+            "{what}"
+        );
+        assert!(!found.is_conclusive(), "{what}");
+        let text = found.doubts[0].to_string();
+        assert!(text.contains("surface.mesh.towards"), "{text}");
+    }
+}
+
 #[test]
 fn a_wrong_believed_radius_raises_a_doubt() {
     for (believed, real) in [(1.0, 0.5), (1.0, 2.0), (-1.0, 1.0), (0.5, 1e9)] {

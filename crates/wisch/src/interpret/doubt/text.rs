@@ -21,6 +21,7 @@ impl fmt::Display for Doubt {
             } => write_no_contact(f, closest, [force, declared], lasts),
             Self::ForceInOtherUnit { force, declared } => write_other_unit(f, force, declared),
             Self::FarAway { distance } => write_far_away(f, distance),
+            Self::OtherSide => f.write_str(OTHER_SIDE),
             Self::NeverNearSurface { closest } => write_never_near(f, closest),
             Self::NoFreeMotion => f.write_str(NO_FREE_MOTION),
             Self::Curved {
@@ -109,6 +110,8 @@ impl fmt::Display for Doubt {
         }
     }
 }
+
+const OTHER_SIDE: &str = "the tool presses against the other side of the believed surface, and its free motion is on that side too: turn the side of a mesh (surface.mesh.towards), or the surface by 180° about its x axis (surface.rpy_rad)";
 
 /// Writes [`Doubt::FarAway`].
 fn write_far_away(f: &mut fmt::Formatter<'_>, distance: f64) -> fmt::Result {
