@@ -370,6 +370,11 @@ pub enum Doubt {
         /// Share of the contact time beside the outline \[1\].
         share: f64,
     },
+    /// The tool was in contact with other patches of the divided mesh too; their effect is not counted.
+    OnOtherPatches {
+        /// Share of the time with force on other patches \[1\].
+        share: f64,
+    },
     /// The contacts lie on no common plane.
     Scattered {
         /// Number of confident contacts on the plane that holds most of them.
@@ -449,6 +454,7 @@ impl Doubt {
             | Self::DetectionsBeside { .. }
             | Self::DetectionsRepeated { .. }
             | Self::HeightOnly { .. }
+            | Self::OnOtherPatches { .. }
             | Self::ObservationInOtherFrame { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,

@@ -325,6 +325,10 @@ impl Interpreter {
         cause: OtherForce,
     ) -> LeveledLog {
         let mut pieces = reading.apply(measured, &self.config);
+        // The force on another patch of the mesh is no contact with this one.
+        for piece in pieces.iter_mut().filter(|piece| piece.is_on_other_patch) {
+            (piece.force, piece.peak_force) = (Vector3::zeros(), 0.0);
+        }
         let config = &self.config.with_reference_force(reference, cause);
         let compression = config.nominal_compression();
         let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, config);
@@ -473,14 +477,10 @@ impl Interpreter {
             &config,
         );
         let (mut events, contact_share) = (detector.events(), detector.contact_share());
-        let is_poor = (classified.plane.as_ref()).is_none_or(|(_, plane)| {
-            (plane.inliers as f64) < LEAST_ON_PLANE * plane.confident as f64
-        });
-        let steep = if is_poor && self.surface.shape.is_plane() && config.gap_m == 0.0 {
-            classifier.find_steep_plane(pieces)
-        } else {
-            None
-        };
+        let may_be_steep = self.surface.shape.is_plane() && config.gap_m == 0.0;
+        let steep = (may_be_steep && is_poor(&classified))
+            .then(|| classifier.find_steep_plane(pieces))
+            .flatten();
         let evidence = LogEvidence {
             levels,
             steep,
@@ -859,6 +859,12 @@ fn is_scattered(doubts: &[Doubt]) -> bool {
 /// cover a doubtful press force.
 fn is_misreading(doubt: &Doubt) -> bool {
     doubt.is_decisive() && !matches!(doubt, Doubt::PressForceDiffers { .. })
+}
+
+/// Whether a plane holds few of the confident contacts.
+fn is_poor(classified: &ClassifiedPath) -> bool {
+    (classified.plane.as_ref())
+        .is_none_or(|(_, plane)| (plane.inliers as f64) < LEAST_ON_PLANE * plane.confident as f64)
 }
 
 /// Removes the pushes that another surface or a lasting change of the bias explains, and all events on the other side of the

@@ -7,8 +7,8 @@ use super::contact::{
 };
 use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
-use crate::geometry::{Point3, Vector3};
-use crate::represent::Surface;
+use crate::geometry::{Point2, Point3, Vector3};
+use crate::represent::{Surface, SurfaceShape};
 use std::ops::Range;
 
 /// Least time of pressing that shows the height of a surface [s].
@@ -18,6 +18,8 @@ const LEAST_PRESSING: f64 = 0.5;
 const FREE_FORCE: f64 = 0.2;
 const FREE_DISTANCE: f64 = 8e-3;
 const FEW: f64 = 0.1;
+/// Least share of the time with force on other patches of the mesh that is stated [1].
+const LEAST_ON_OTHER: f64 = 0.05;
 /// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
 const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
@@ -162,6 +164,7 @@ impl LogEvidence<'_> {
             return doubts;
         }
         doubts.extend(self.find_sparseness());
+        doubts.extend(self.find_other_patches());
         // The force of a hand is no bias, nor is that of contact at another height.
         if led.is_none() && heights.is_none() {
             doubts.extend(self.find_bias_change());
@@ -304,6 +307,22 @@ impl LogEvidence<'_> {
         let size = corners.map(|corner| corner.coords.norm());
         let size = size.fold(0.0, f64::max);
         (distance > size + FAR).then_some(Doubt::FarAway { distance })
+    }
+
+    /// Returns a doubt if the tool pressed on other patches of the divided mesh.
+    fn find_other_patches(&self) -> Option<Doubt> {
+        let least = PRESSING * self.declared.nominal_force();
+        let path = &self.classified.path;
+        let (mut pressed, mut other) = (0.0, 0.0);
+        for (i, piece) in self.measured.iter().enumerate() {
+            if piece.force.norm() >= least {
+                let lasts = PathPiece::duration(path, i).min(LONGEST_GAP);
+                pressed += lasts;
+                other += if piece.is_on_other_patch { lasts } else { 0.0 };
+            }
+        }
+        let share = other / pressed;
+        (share >= LEAST_ON_OTHER).then_some(Doubt::OnOtherPatches { share })
     }
 
     /// Returns a doubt if the force over the surface is that of contact on its other side, and the tool moves freely only on
@@ -630,6 +649,15 @@ impl LogEvidence<'_> {
         })
     }
 
+    /// Whether a place lies beside the surface, and on no other patch of the same mesh.
+    fn is_beside(&self, place: Point2) -> bool {
+        let is_on_seam = match &self.surface.shape {
+            SurfaceShape::Mesh(mesh) => mesh.reaches_beyond_seam(place),
+            SurfaceShape::Plane | SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => false,
+        };
+        !is_on_seam && !self.surface.outline.contains(place)
+    }
+
     /// Sums up the time and travel of the tool in contact.
     fn sliding(&self) -> Sliding {
         let mut sliding = Sliding::default();
@@ -640,7 +668,7 @@ impl LogEvidence<'_> {
             }
             let lasts = (piece.time[1] - before.time[1]).min(LONGEST_STEP);
             sliding.time += lasts;
-            if !self.surface.outline.contains(piece.position.xy()) {
+            if self.is_beside(piece.position.xy()) {
                 sliding.beside += lasts;
             }
             if self.is_touching(before) {

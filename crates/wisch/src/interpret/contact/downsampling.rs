@@ -26,6 +26,9 @@ const SPEED_TIME: f64 = 0.01;
 /// Longest duration of a wrong pose that is left out; a pose that lasts longer is accepted [s].
 const LONGEST_GLITCH: f64 = 0.1;
 
+/// Largest height of the tool over another patch of the mesh that it touches [m].
+const ON_PATCH: f64 = 0.02;
+
 /// Largest valid coordinate [m].
 const MAX_POSITION: f64 = 1e4;
 /// Largest valid force [N].
@@ -51,6 +54,8 @@ pub(in crate::interpret) struct MeasuredPiece {
     pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
     /// Turn of these axes from those at the chart's origin; `None` for a plane.
     pub(in crate::interpret) turn: Option<UnitQuaternion<f64>>,
+    /// Whether the tool touches another patch of the divided mesh, beyond the chart of this one.
+    pub(in crate::interpret) is_on_other_patch: bool,
     /// Mean force of the environment on the tool [N].
     pub(in crate::interpret) force: Vector3,
     /// Largest absolute force [N].
@@ -238,6 +243,14 @@ impl Downsampler {
         while (self.recent.get(1)).is_some_and(|next| sample.time - next.time >= SPEED_TIME) {
             self.recent.pop_front();
         }
+        let is_on_other_patch = match &self.surface.shape {
+            SurfaceShape::Mesh(mesh) => {
+                let point = self.surface_from_world
+                    * Point3::from(sample.world_from_tool.translation.vector);
+                mesh.is_on_other_patch(point, ON_PATCH)
+            }
+            SurfaceShape::Plane | SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => false,
+        };
         let (surface_from_tool, turn) = if self.surface.shape.is_plane() {
             (self.surface_from_world * sample.world_from_tool, None)
         } else {
@@ -254,6 +267,7 @@ impl Downsampler {
             heading: heading_of(&surface_from_tool.rotation),
             surface_from_tool: surface_from_tool.rotation,
             turn,
+            is_on_other_patch,
             force: turn.map_or(force, |turn| turn.inverse() * force),
             peak_force: sample.force.norm(),
         };
@@ -357,6 +371,7 @@ fn join(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
         heading: next.heading,
         surface_from_tool: next.surface_from_tool,
         turn: next.turn,
+        is_on_other_patch: next.is_on_other_patch,
         force: one.force + (next.force - one.force) * share,
         peak_force: one.peak_force.max(next.peak_force),
     }

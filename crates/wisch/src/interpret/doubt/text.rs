@@ -9,6 +9,7 @@ use std::fmt;
 /// Texts of doubts without values.
 const NO_FREE_MOTION: &str = "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface";
 const UNPROVEN_CAMERA: &str = "the observation shows no dirt, and no earlier one shows that the camera detects any: it does not decide what touch cannot";
+const OTHER_SIDE: &str = "the tool presses against the other side of the believed surface, and its free motion is on that side too: correct the side of a mesh (surface.mesh.towards), or turn the surface by 180° about its x axis (surface.rpy_rad)";
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -97,6 +98,7 @@ impl fmt::Display for Doubt {
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
             Self::LoadInAir { force, mass } => write_load(f, force, mass),
             Self::ContactBesideSurface { share } => write_contact_beside(f, share),
+            Self::OnOtherPatches { share } => write_other_patches(f, share),
             Self::Scattered { inliers, confident } => write!(
                 f,
                 "only {inliers} of {confident} confident contacts lie on one plane"
@@ -111,7 +113,14 @@ impl fmt::Display for Doubt {
     }
 }
 
-const OTHER_SIDE: &str = "the tool presses against the other side of the believed surface, and its free motion is on that side too: turn the side of a mesh (surface.mesh.towards), or the surface by 180° about its x axis (surface.rpy_rad)";
+/// Writes [`Doubt::OnOtherPatches`].
+fn write_other_patches(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "for {:.0} % of the time with force, the tool is on other patches of the mesh, which are not counted: interpret the log for each patch (surface.mesh.patch)",
+        100.0 * share
+    )
+}
 
 /// Writes [`Doubt::FarAway`].
 fn write_far_away(f: &mut fmt::Formatter<'_>, distance: f64) -> fmt::Result {
