@@ -374,7 +374,7 @@ fn a_summary_states_what_is_unknown_and_the_most_fundamental_fault_first() {
 
     write_table(path, 1.0, |sample| sample.force.z > 5.0);
     let (_, words, _) = wisch(path, &args);
-    let unknown = "bias unknown, because the log shows no calm free motion: 0 N assumed";
+    let unknown = "bias unknown, because the log shows no calm free motion on this side of the surface: 0 N assumed";
     assert!(
         words.contains(unknown) && !words.contains("subtracted"),
         "{words}"

@@ -16,6 +16,8 @@ mod lean;
 pub mod log;
 #[path = "interpret/parts.rs"]
 mod parts;
+#[path = "interpret/patches.rs"]
+mod patches;
 #[path = "interpret/random.rs"]
 mod random;
 #[path = "interpret/reading.rs"]

@@ -15,7 +15,7 @@ use nalgebra::{Translation3, UnitQuaternion};
 use std::path::{Path, PathBuf};
 use wisch::geometry::{Pose, Vector3};
 use wisch::interpret::{
-    Belief, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
+    Belief, Diagnosis, EventKind, InterpretConfig, InterpretError, Interpretation, Interpreter,
     ObservationUpdate,
 };
 use wisch::represent::{Action, GoalState, ParticleDistribution, SurfaceShape};
@@ -449,7 +449,7 @@ pub(super) fn summary_lines(record: &InterpretationRecord) -> Vec<(&'static str,
                     "in contact for {} of the time on or near the surface",
                     percent(share)
                 ),
-                None => "unknown: the log shows no contact, or the tool was never near the surface"
+                None => "unknown: the log shows no contact with this side of the surface, or the tool was never near it"
                     .to_owned(),
             },
         ),
@@ -532,7 +532,9 @@ fn force_in_words(record: &InterpretationRecord) -> String {
             format!("{pressed}bias {bias:+.2} N along the surface normal, subtracted")
         }
         None => {
-            format!("{pressed}bias unknown, because the log shows no calm free motion: 0 N assumed")
+            format!(
+                "{pressed}bias unknown, because the log shows no calm free motion on this side of the surface: 0 N assumed"
+            )
         }
     }
 }
@@ -541,6 +543,10 @@ fn surface_in_words(record: &InterpretationRecord) -> String {
     let (Some(plane), Some(tilt), Some(offset)) =
         (&record.plane, record.plane_tilt_rad, record.plane_offset_m)
     else {
+        if record.diagnosis == Diagnosis::Unfitted.as_str() {
+            return "not found: the contacts fit this side of it at no pose that was tried; its believed pose is kept"
+                .to_owned();
+        }
         let advice = "check surface.position_m and --world-from-log";
         return format!("not found: no contact ({advice})");
     };

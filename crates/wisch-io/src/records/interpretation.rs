@@ -231,7 +231,10 @@ impl InterpretationRecord {
             diagnosis: interpretation.diagnosis.as_str(),
             world_from_surface: match &interpretation.diagnosis {
                 Diagnosis::Relocalize { world_from_surface } => Some(world_from_surface.into()),
-                Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => None,
+                Diagnosis::Localized
+                | Diagnosis::NoContact
+                | Diagnosis::Unfitted
+                | Diagnosis::Hovering => None,
             },
             // Avoid -0.0.
             force_bias_n: interpretation.force_bias.map(|bias| bias + 0.0),

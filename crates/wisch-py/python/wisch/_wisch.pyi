@@ -601,7 +601,7 @@ class Interpretation:
     def performance_by_touch(self) -> float:
         """Expected performance by touch alone, without camera observations, 0 to 1."""
     @property
-    def diagnosis(self) -> Literal["localized", "relocalize", "no contact", "hovering"]:
+    def diagnosis(self) -> Literal["localized", "relocalize", "no contact", "unfitted", "hovering"]:
         """How the contacts fit the believed surface."""
     @property
     def world_from_surface(self) -> Floats:

@@ -63,6 +63,9 @@ pub(crate) fn describe_diagnosis(found: &Interpretation) -> String {
         Diagnosis::NoContact => {
             "The pose of the surface is unknown, because too few contacts are confident.".to_owned()
         }
+        Diagnosis::Unfitted => {
+            "The pose of the surface is unknown, because the contacts fit this side of it at no pose that was tried.".to_owned()
+        }
         Diagnosis::Hovering => {
             "The tool works without contact, so the estimate is from tool poses only.".to_owned()
         }

@@ -98,6 +98,8 @@ pub enum Doubt {
         /// Median distance of the tool from the origin of the surface \[m\].
         distance: f64,
     },
+    /// The tool pressed against the other side of the surface, and moved freely on that side.
+    OtherSide,
     /// The tool never came near the surface.
     NeverNearSurface {
         /// Smallest distance of the tool from the believed surface \[m\].
@@ -368,6 +370,11 @@ pub enum Doubt {
         /// Share of the contact time beside the outline \[1\].
         share: f64,
     },
+    /// The tool was in contact with other patches of the divided mesh too; their effect is not counted.
+    OnOtherPatches {
+        /// Share of the time with force on other patches \[1\].
+        share: f64,
+    },
     /// The contacts lie on no common plane.
     Scattered {
         /// Number of confident contacts on the plane that holds most of them.
@@ -417,6 +424,7 @@ impl Doubt {
             Self::NoContactForce { .. }
             | Self::ForceInOtherUnit { .. }
             | Self::FarAway { .. }
+            | Self::OtherSide
             | Self::NeverNearSurface { .. }
             | Self::NoFreeMotion
             | Self::Curved { .. }
@@ -446,6 +454,7 @@ impl Doubt {
             | Self::DetectionsBeside { .. }
             | Self::DetectionsRepeated { .. }
             | Self::HeightOnly { .. }
+            | Self::OnOtherPatches { .. }
             | Self::ObservationInOtherFrame { .. }
             | Self::LittleContact { .. }
             | Self::LittleSliding { .. } => false,

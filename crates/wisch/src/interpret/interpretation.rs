@@ -22,6 +22,8 @@ pub enum Diagnosis {
     },
     /// Too few confident contacts for a plane, so the log gives no conclusion.
     NoContact,
+    /// The contacts fit the believed surface at no pose, so its pose is unknown.
+    Unfitted,
     /// The tool hovers and has no contact: the belief follows the positions of the tool alone.
     Hovering,
 }
@@ -33,6 +35,7 @@ impl Diagnosis {
             Self::Localized => "localized",
             Self::Relocalize { .. } => "relocalize",
             Self::NoContact => "no contact",
+            Self::Unfitted => "unfitted",
             Self::Hovering => "hovering",
         }
     }

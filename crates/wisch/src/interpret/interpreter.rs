@@ -252,9 +252,11 @@ impl Interpreter {
         }
         let diagnosis = match &shift {
             Some(plane) => self.diagnose_shift(plane),
+            None if self.is_unfitted(&classified, &doubts) => Diagnosis::Unfitted,
             None => self.diagnosis(&classified, &believed_from_real),
         };
         let plane = shift.or(classified.plane.map(|(_, described)| described));
+        let is_fitted = diagnosis != Diagnosis::Unfitted;
         Ok(Interpretation {
             diagnosis,
             events,
@@ -272,8 +274,8 @@ impl Interpreter {
             observation: None,
             distribution,
             belief,
-            plane,
-            registration: classified.registration,
+            plane: plane.filter(|_| is_fitted),
+            registration: classified.registration.filter(|_| is_fitted),
             residuals: classified.residuals,
             path: classified.path,
         })
@@ -306,13 +308,20 @@ impl Interpreter {
 
     /// Classifies the pieces. If the force differs from the declared one, either the sensor has
     /// another scale, or the tool presses with another force and is compressed by another distance.
-    /// The cause for which the surface is nearer to the believed one is taken.
+    /// The cause for which the surface is nearer to the believed one is taken, unless it is known.
     fn level(
         &self,
         measured: &[MeasuredPiece],
         reading: &ForceReading,
         reference: f64,
+        known: Option<ForceCause>,
     ) -> LeveledLog {
+        if let Some(known) = known {
+            return LeveledLog {
+                force_cause: Some(known),
+                ..self.level_by(measured, reading, reference, known.cause)
+            };
+        }
         let by_scale = self.level_by(measured, reading, reference, OtherForce::Scale);
         let is_declared = reference == self.config.nominal_force();
         if is_declared || self.config.stiffness().is_none() {
@@ -320,13 +329,13 @@ impl Interpreter {
         }
         let by_press = self.level_by(measured, reading, reference, OtherForce::Press);
         let offsets = [&by_press, &by_scale].map(|leveled| leveled.offset(&self.surface));
-        let nearer = if offsets[0] < offsets[1] {
-            by_press
+        let (cause, nearer) = if offsets[0] < offsets[1] {
+            (OtherForce::Press, by_press)
         } else {
-            by_scale
+            (OtherForce::Scale, by_scale)
         };
         LeveledLog {
-            offsets: Some(offsets),
+            force_cause: Some(ForceCause { cause, offsets }),
             ..nearer
         }
     }
@@ -339,6 +348,10 @@ impl Interpreter {
         cause: OtherForce,
     ) -> LeveledLog {
         let mut pieces = reading.apply(measured, &self.config);
+        // The force on another patch of the mesh is no contact with this one.
+        for piece in pieces.iter_mut().filter(|piece| piece.is_on_other_patch) {
+            (piece.force, piece.peak_force) = (Vector3::zeros(), 0.0);
+        }
         let config = &self.config.with_reference_force(reference, cause);
         let compression = config.nominal_compression();
         let tool = ToolOnBend::new(&self.surface, &self.footprint, compression, config);
@@ -382,7 +395,7 @@ impl Interpreter {
             levels,
             classified,
             counts_lean: false,
-            offsets: None,
+            force_cause: None,
         }
     }
 
@@ -401,8 +414,62 @@ impl Interpreter {
         }
     }
 
-    /// Reads the forces, classifies the pieces and detects the events.
+    /// Analyses the log over the surface at the pose that its contacts show: a curved surface that lies elsewhere has other
+    /// places below the tool.
     fn analyse(&self) -> LogAnalysis {
+        let believed = self.analyse_over_surface(None);
+        let pose = self.find_other_pose(&believed.classified);
+        let Some(pose) = pose.filter(|_| !believed.doubts.contains(&Doubt::OtherSide)) else {
+            return believed;
+        };
+        let moved = Self {
+            surface: Surface {
+                world_from_surface: self.surface.world_from_surface * pose,
+                ..self.surface.clone()
+            },
+            downsampler: self.downsampler.with_surface_at(&pose),
+            ..self.clone()
+        };
+        let mut analysis = moved.analyse_over_surface(believed.force_cause);
+        let classified = &mut analysis.classified;
+        let (Some((_, plane)), Some(fit)) = (&mut classified.plane, &mut classified.registration)
+        else {
+            return believed;
+        };
+        fit.believed_from_real = pose * fit.believed_from_real;
+        *plane = self.describe_pose(plane, &fit.believed_from_real);
+        classified.is_moved = believed.classified.is_moved;
+        analysis
+    }
+
+    /// Returns the pose of a curved surface in the frame of the believed one, if its contacts show that it lies elsewhere.
+    fn find_other_pose(&self, classified: &ClassifiedPath) -> Option<Pose> {
+        let registration = classified.registration.as_ref()?;
+        let (_, plane) = classified.plane.as_ref()?;
+        let is_elsewhere = classified.is_moved || !self.is_here(plane, classified);
+        is_elsewhere.then_some(registration.believed_from_real)
+    }
+
+    /// Describes a plane on the chart of the surface at this pose by its height and tilt in the middle of the believed
+    /// surface.
+    fn describe_pose(&self, plane: &FittedPlane, believed_from_real: &Pose) -> FittedPlane {
+        let shape = &self.surface.shape;
+        let place = middle(&self.surface);
+        let believed_from_middle = shape.place(place, 0.0);
+        let middle_from_real = believed_from_middle.inverse() * believed_from_real;
+        let at = shape.chart(middle_from_real.inverse() * Point3::origin());
+        let normal = middle_from_real.rotation * shape.orientation(at.place) * Vector3::z();
+        FittedPlane {
+            point: Point3::new(place.x, place.y, -at.height),
+            normal,
+            tilt: libm::acos(normal.z.clamp(-1.0, 1.0)),
+            offset: -at.height,
+            ..*plane
+        }
+    }
+
+    /// Reads the forces, classifies the pieces over the surface and detects the events.
+    fn analyse_over_surface(&self, known: Option<ForceCause>) -> LogAnalysis {
         let (measured, corrections) = self.correct_pieces();
         let measured = &measured[..];
         let reading = ForceReading::of(measured, &self.surface, &self.config);
@@ -414,8 +481,8 @@ impl Interpreter {
             levels,
             classified,
             counts_lean,
-            offsets,
-        } = self.level(measured, &reading, reference);
+            force_cause,
+        } = self.level(measured, &reading, reference, known);
         let pieces = &pieces;
         let classifier = self.classifier(&config, reference, levels);
         let believed_from_real = classified
@@ -433,21 +500,18 @@ impl Interpreter {
             &config,
         );
         let (mut events, contact_share) = (detector.events(), detector.contact_share());
-        let is_poor = (classified.plane.as_ref()).is_none_or(|(_, plane)| {
-            (plane.inliers as f64) < LEAST_ON_PLANE * plane.confident as f64
-        });
-        let steep = if is_poor && self.surface.shape.is_plane() && config.gap_m == 0.0 {
-            classifier.find_steep_plane(pieces)
-        } else {
-            None
-        };
+        let may_be_steep = self.surface.shape.is_plane() && config.gap_m == 0.0;
+        let steep = (may_be_steep && is_poor(&classified))
+            .then(|| classifier.find_steep_plane(pieces))
+            .flatten();
         let evidence = LogEvidence {
             levels,
             steep,
             found_stiffness,
-            offsets,
+            offsets: force_cause.map(|found| found.offsets),
             own_tilt: self.own_tilt,
             pieces,
+            measured,
             reading: &reading,
             classified: &classified,
             events: &events,
@@ -486,16 +550,18 @@ impl Interpreter {
             .flatten();
         // Without contacts on a plane it is unknown whether the tool touched.
         let has_plane = classified.plane.is_some();
+        let is_read = !doubts.contains(&Doubt::OtherSide);
         LogAnalysis {
-            force_bias: (reading.has_free_motion).then(|| reading.normal_bias(measured)),
-            pressed: reading.pressed,
+            force_bias: (reading.has_free_motion && is_read).then(|| reading.normal_bias(measured)),
+            pressed: reading.pressed.filter(|_| is_read),
             force_ratio: reference / self.config.nominal_force(),
             config,
             classified,
+            force_cause,
             counts_lean,
             believed_from_real,
             events,
-            contact_share: contact_share.filter(|share| *share > 0.0 || has_plane),
+            contact_share: contact_share.filter(|share| is_read && (*share > 0.0 || has_plane)),
             doubts,
             stiffness,
             found_stiffness,
@@ -633,27 +699,11 @@ impl Interpreter {
         corners.fold(0.0, f64::max)
     }
 
-    /// Converts a small motion of the surface, given in the chart, to a motion in the surface
-    /// frame, about the middle of the surface.
-    fn unroll(&self, believed_from_real: &Pose) -> Pose {
-        let shape = &self.surface.shape;
-        if shape.is_plane() {
-            return *believed_from_real;
-        }
-        let middle = middle(&self.surface);
-        let surface_from_middle = shape.place(middle, 0.0);
-        let chart_from_middle = Pose::translation(middle.x, middle.y, 0.0);
-        let moved = chart_from_middle.inverse() * believed_from_real * chart_from_middle;
-        surface_from_middle * moved * surface_from_middle.inverse()
-    }
-
     /// Returns the believed plane at the median height of the contacts, if they lie on another shape and most of them on no
     /// plane. The plane through the others then says nothing about the pose of the surface.
     fn shift_without_plane(&self, analysis: &LogAnalysis) -> Option<FittedPlane> {
         let (fit, plane) = analysis.classified.plane.as_ref()?;
-        let is_scattered =
-            (analysis.doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }));
-        if !is_scattered || !analysis.doubts.iter().any(Doubt::is_other_shape) {
+        if !self.surface.shape.is_plane() || !is_scattered(&analysis.doubts) {
             return None;
         }
         let heights = (analysis.classified.path.iter())
@@ -675,38 +725,46 @@ impl Interpreter {
         })
     }
 
+    /// Whether contacts lie on a curved surface at no pose, or on its other side: their height over it then means nothing.
+    fn is_unfitted(&self, classified: &ClassifiedPath, doubts: &[Doubt]) -> bool {
+        let is_elsewhere = !self.surface.shape.is_plane()
+            && classified.plane.is_some()
+            && (classified.registration.is_none() || is_scattered(doubts));
+        is_elsewhere || doubts.contains(&Doubt::OtherSide)
+    }
+
     /// Returns the diagnosis for a surface of which only the height is known.
     fn diagnose_shift(&self, plane: &FittedPlane) -> Diagnosis {
         if plane.offset.abs() < self.config.relocalize_offset_m {
             return Diagnosis::Localized;
         }
-        let shift = self.unroll(&Pose::translation(0.0, 0.0, plane.offset));
+        let shift = Pose::translation(0.0, 0.0, plane.offset);
         Diagnosis::Relocalize {
             world_from_surface: self.surface.world_from_surface * shift,
         }
     }
 
-    fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
+    /// Whether the surface is where it was believed to be.
+    fn is_here(&self, plane: &FittedPlane, classified: &ClassifiedPath) -> bool {
         // In the chart, a yawed surface is no tilted plane.
         let is_turned = (classified.registration.as_ref()).is_some_and(|registration| {
             classified.is_moved
                 && registration.believed_from_real.rotation.angle() >= self.config.relocalize_tilt
         });
-        let is_here = |plane: &FittedPlane| {
-            plane.tilt < self.config.relocalize_tilt
-                && plane.offset.abs() < self.config.relocalize_offset_m
-                && !is_turned
-        };
+        plane.tilt < self.config.relocalize_tilt
+            && plane.offset.abs() < self.config.relocalize_offset_m
+            && !is_turned
+    }
+
+    fn diagnosis(&self, classified: &ClassifiedPath, believed_from_real: &Pose) -> Diagnosis {
         match &classified.plane {
             None if self.config.gap_m > 0.0 => Diagnosis::Hovering,
             None => Diagnosis::NoContact,
-            Some((_, plane)) if is_here(plane) => Diagnosis::Localized,
+            Some((_, plane)) if self.is_here(plane, classified) => Diagnosis::Localized,
             Some(_) => Diagnosis::Relocalize {
                 world_from_surface: self.surface.world_from_surface
-                    * (classified.registration.as_ref()).map_or_else(
-                        || self.unroll(believed_from_real),
-                        |registration| registration.believed_from_real,
-                    ),
+                    * (classified.registration.as_ref())
+                        .map_or(*believed_from_real, |fit| fit.believed_from_real),
             },
         }
     }
@@ -723,6 +781,7 @@ struct LogAnalysis {
     /// The settings with the log's own nominal force.
     config: InterpretConfig,
     classified: ClassifiedPath,
+    force_cause: Option<ForceCause>,
     /// Whether the heights are those of a tool that lies flat, although it leans.
     counts_lean: bool,
     believed_from_real: Pose,
@@ -776,9 +835,17 @@ struct LeveledLog {
     classified: ClassifiedPath,
     /// Whether the heights are those of a tool that lies flat, although it leans.
     counts_lean: bool,
+    /// `None` for the declared force.
+    force_cause: Option<ForceCause>,
+}
+
+/// Why the force of a log differs from the declared one.
+#[derive(Debug, Clone, Copy)]
+struct ForceCause {
+    cause: OtherForce,
     /// Distances of the surface from where it is believed to be, if the tool pressed with the force of the log, and if this
-    /// force has a wrong scale \[m\]; `None` for the declared force.
-    offsets: Option<[f64; 2]>,
+    /// force has a wrong scale [m].
+    offsets: [f64; 2],
 }
 
 impl LeveledLog {
@@ -843,19 +910,35 @@ pub fn interpret<'a>(
     interpreter.conclude(believed, goal)
 }
 
+/// Whether the contacts lie on another shape, and most of them on no plane.
+fn is_scattered(doubts: &[Doubt]) -> bool {
+    doubts.iter().any(Doubt::is_other_shape)
+        && (doubts.iter()).any(|doubt| matches!(doubt, Doubt::Scattered { .. }))
+}
+
 /// Whether a doubt leaves open what the tool touched. Members of the belief that differ in the scale of the force already
 /// cover a doubtful press force.
 fn is_misreading(doubt: &Doubt) -> bool {
     doubt.is_decisive() && !matches!(doubt, Doubt::PressForceDiffers { .. })
 }
 
-/// Removes the pushes that another surface or a lasting change of the bias explains.
+/// Whether a plane holds few of the confident contacts.
+fn is_poor(classified: &ClassifiedPath) -> bool {
+    (classified.plane.as_ref())
+        .is_none_or(|(_, plane)| (plane.inliers as f64) < LEAST_ON_PLANE * plane.confident as f64)
+}
+
+/// Removes the pushes that another surface or a lasting change of the bias explains, and all events on the other side of the
+/// surface.
 fn leave_out_false_pushes(
     events: &mut Vec<Event>,
     doubts: &[Doubt],
     pieces: &[MeasuredPiece],
     reading: &ForceReading,
 ) {
+    if doubts.contains(&Doubt::OtherSide) {
+        events.retain(|event| event.kind.is_phase());
+    }
     let is_held = |doubt: &Doubt| matches!(doubt, Doubt::HeldPoses { .. }) && doubt.is_decisive();
     if doubts
         .iter()

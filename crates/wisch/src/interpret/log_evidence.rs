@@ -3,16 +3,23 @@
 use super::config::InterpretConfig;
 use super::contact::{
     ClassifiedPath, ContactLevels, ContactShape, ForceReading, MeasuredPiece, PathPiece,
-    PressDirection, ShapeFit, ToolStiffness, is_inland,
+    PressDirection, ToolStiffness, is_inland,
 };
 use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
-use crate::geometry::{Point3, Vector3};
-use crate::represent::Surface;
+use crate::geometry::{Point2, Point3, Vector3};
+use crate::represent::{Surface, SurfaceShape};
 use std::ops::Range;
 
 /// Least time of pressing that shows the height of a surface [s].
 const LEAST_PRESSING: f64 = 0.5;
+/// Largest force in free motion over the nominal force [1], its least distance from the contacts [m], and the largest share
+/// of the time that may speak for the other side [1].
+const FREE_FORCE: f64 = 0.2;
+const FREE_DISTANCE: f64 = 8e-3;
+const FEW: f64 = 0.1;
+/// Least share of the time with force on other patches of the mesh that is stated [1].
+const LEAST_ON_OTHER: f64 = 0.05;
 /// Largest spread of the heights at which a tool presses on one surface, which may be inclined [m].
 const MOST_SPREAD: f64 = 0.03;
 /// Pieces with more time between them do not follow each other [s].
@@ -106,6 +113,8 @@ fn least_drag(on_plane: &[SteadySlide]) -> f64 {
 pub(super) struct LogEvidence<'a> {
     /// Pieces of the log, with their forces as read.
     pub(super) pieces: &'a [MeasuredPiece],
+    /// The same pieces, with their forces as measured.
+    pub(super) measured: &'a [MeasuredPiece],
     pub(super) reading: &'a ForceReading,
     pub(super) classified: &'a ClassifiedPath,
     pub(super) events: &'a [Event],
@@ -149,7 +158,13 @@ impl LogEvidence<'_> {
             doubts.extend(led);
             return doubts;
         }
+        // Read for the believed side, the force in the air is a contact, and that of the contact a bias or a hand's.
+        if let Some(side) = self.find_other_side() {
+            doubts.push(side);
+            return doubts;
+        }
         doubts.extend(self.find_sparseness());
+        doubts.extend(self.find_other_patches());
         // The force of a hand is no bias, nor is that of contact at another height.
         if led.is_none() && heights.is_none() {
             doubts.extend(self.find_bias_change());
@@ -294,6 +309,54 @@ impl LogEvidence<'_> {
         (distance > size + FAR).then_some(Doubt::FarAway { distance })
     }
 
+    /// Returns a doubt if the tool pressed on other patches of the divided mesh.
+    fn find_other_patches(&self) -> Option<Doubt> {
+        let least = PRESSING * self.declared.nominal_force();
+        let path = &self.classified.path;
+        let (mut pressed, mut other) = (0.0, 0.0);
+        for (i, piece) in self.measured.iter().enumerate() {
+            if piece.force.norm() >= least {
+                let lasts = PathPiece::duration(path, i).min(LONGEST_GAP);
+                pressed += lasts;
+                other += if piece.is_on_other_patch { lasts } else { 0.0 };
+            }
+        }
+        let share = other / pressed;
+        (share >= LEAST_ON_OTHER).then_some(Doubt::OnOtherPatches { share })
+    }
+
+    /// Returns a doubt if the force over the surface is that of contact on its other side, and the tool moves freely only on
+    /// that side of its contacts. The axes of the tool say nothing, because z may point into the surface as well as out of it.
+    fn find_other_side(&self) -> Option<Doubt> {
+        let nominal = self.declared.nominal_force();
+        let path = &self.classified.path;
+        let over: Vec<(&MeasuredPiece, f64)> = (self.measured.iter().enumerate())
+            .filter(|(_, piece)| self.surface.outline.contains(piece.position.xy()))
+            .map(|(i, piece)| (piece, PathPiece::duration(path, i).min(LONGEST_GAP)))
+            .collect();
+        let time = |is_so: &dyn Fn(&MeasuredPiece) -> bool| -> f64 {
+            let those = over.iter().filter(|(piece, _)| is_so(piece));
+            those.map(|(_, lasts)| lasts).sum()
+        };
+        let is_pressed = |piece: &MeasuredPiece| piece.force.z <= -PRESSING * nominal;
+        let pressed = time(&is_pressed);
+        if pressed < LEAST_PRESSING
+            || time(&|piece| piece.force.z >= PRESSING * nominal) > FEW * pressed
+        {
+            return None;
+        }
+        let mut heights: Vec<f64> = (over.iter())
+            .filter(|(piece, _)| is_pressed(piece))
+            .map(|(piece, _)| piece.mean_height)
+            .collect();
+        heights.sort_unstable_by(f64::total_cmp);
+        let [low, high] = [1, 19].map(|part| heights[(heights.len() - 1) * part / 20]);
+        let is_free = |piece: &MeasuredPiece| piece.force.norm() <= FREE_FORCE * nominal;
+        let below = time(&|piece| is_free(piece) && piece.mean_height < low - FREE_DISTANCE);
+        let above = time(&|piece| is_free(piece) && piece.mean_height > high + FREE_DISTANCE);
+        (below >= LEAST_PRESSING && above <= FEW * below).then_some(Doubt::OtherSide)
+    }
+
     /// Returns the sizes of the forces at which the tool was low enough to touch, in ascending order [N], and the time there
     /// [s].
     fn near_forces(&self) -> (Vec<f64>, f64) {
@@ -323,8 +386,12 @@ impl LogEvidence<'_> {
 
     /// Returns a doubt if the contacts lie on a surface that is no plane.
     fn find_curvature(&self) -> Option<Doubt> {
-        let moved = (self.classified.registration.as_ref()).map(|fit| self.moved_pieces(fit));
-        let mut pieces = moved.unwrap_or_else(|| self.pieces.to_vec());
+        let mut pieces = self.pieces.to_vec();
+        if let Some(fit) = &self.classified.registration {
+            for piece in &mut pieces {
+                *piece = piece.in_chart_at(&fit.believed_from_real, &self.surface.shape);
+            }
+        }
         // Where a hand carries the tool, it shows no shape.
         for slide in self.slides_without_friction().iter().rev() {
             pieces.drain(slide.pieces.clone());
@@ -358,20 +425,6 @@ impl LogEvidence<'_> {
             ContactShape::Other => Doubt::NotPlanar { off },
         });
         doubt.or_else(|| self.find_steady_contact_off_plane())
-    }
-
-    /// Returns the pieces in the chart of the registered surface.
-    fn moved_pieces(&self, fit: &ShapeFit) -> Vec<MeasuredPiece> {
-        let moved = self.pieces.iter().map(|piece| {
-            let place = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
-            let position = fit.to_fitted_chart(&self.surface.shape, &place);
-            MeasuredPiece {
-                position,
-                mean_height: position.z,
-                ..*piece
-            }
-        });
-        moved.collect()
     }
 
     /// Returns a doubt if the tool slid off the plane with the force and the friction with which it slides on it: a hand that
@@ -596,6 +649,15 @@ impl LogEvidence<'_> {
         })
     }
 
+    /// Whether a place lies beside the surface, and on no other patch of the same mesh.
+    fn is_beside(&self, place: Point2) -> bool {
+        let is_on_seam = match &self.surface.shape {
+            SurfaceShape::Mesh(mesh) => mesh.reaches_beyond_seam(place),
+            SurfaceShape::Plane | SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => false,
+        };
+        !is_on_seam && !self.surface.outline.contains(place)
+    }
+
     /// Sums up the time and travel of the tool in contact.
     fn sliding(&self) -> Sliding {
         let mut sliding = Sliding::default();
@@ -606,7 +668,7 @@ impl LogEvidence<'_> {
             }
             let lasts = (piece.time[1] - before.time[1]).min(LONGEST_STEP);
             sliding.time += lasts;
-            if !self.surface.outline.contains(piece.position.xy()) {
+            if self.is_beside(piece.position.xy()) {
                 sliding.beside += lasts;
             }
             if self.is_touching(before) {

@@ -53,7 +53,9 @@ pub fn next_task(
 ) -> Result<Task, ParticleError> {
     let mut next = match interpretation.diagnosis {
         Diagnosis::Relocalize { world_from_surface } => relocate(task, world_from_surface),
-        Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Hovering => task.clone(),
+        Diagnosis::Localized | Diagnosis::NoContact | Diagnosis::Unfitted | Diagnosis::Hovering => {
+            task.clone()
+        }
     };
     if let GoalState::Collected { center, .. } = goal {
         next.collect_goal = Some(*center);

@@ -39,6 +39,9 @@ pub struct MeshShape {
     patch: Option<PatchOfMesh>,
 }
 
+/// Largest distance from the perpendicular at which a point lies over a patch \[m\].
+const SEAM: f64 = 1e-3;
+
 /// The patch of a divided mesh that a shape is.
 #[derive(Clone)]
 pub struct PatchOfMesh {
@@ -46,6 +49,8 @@ pub struct PatchOfMesh {
     pub index: usize,
     /// The divided mesh.
     pub atlas: Arc<Atlas>,
+    /// Pose of the surface's frame in the frame of the mesh.
+    pub mesh_from_surface: Pose,
 }
 
 impl PatchOfMesh {
@@ -82,6 +87,7 @@ impl MeshShape {
             patch: Some(PatchOfMesh {
                 index,
                 atlas: Arc::clone(atlas),
+                mesh_from_surface,
             }),
             ..shape
         };
@@ -123,6 +129,30 @@ impl MeshShape {
     /// The patch of a divided mesh that the surface is; `None` for a whole mesh.
     pub fn patch(&self) -> Option<&PatchOfMesh> {
         self.patch.as_ref()
+    }
+
+    /// Whether a place outside the outline lies on another patch of the divided mesh, over which the chart reaches; `false` for
+    /// a whole mesh.
+    pub fn reaches_beyond_seam(&self, place: Point2) -> bool {
+        self.patch.is_some() && self.sheet.lift(place).is_some()
+    }
+
+    /// Whether a point in the frame of the surface lies beyond the chart, and within `height` of another patch of the divided
+    /// mesh \[m\]; `false` for a whole mesh.
+    pub fn is_on_other_patch(&self, point: Point3, height: f64) -> bool {
+        let Some(patch) = &self.patch else {
+            return false;
+        };
+        let at = patch.mesh_from_surface * point;
+        let is_over = |chart: &Sheet| {
+            let foot = chart.chart(at);
+            foot.beyond <= SEAM && foot.height.abs() <= height
+        };
+        let charts = patch.atlas.charts().iter().enumerate();
+        self.sheet.chart(point).beyond > SEAM
+            && charts
+                .filter(|(index, _)| *index != patch.index)
+                .any(|(_, chart)| is_over(chart))
     }
 
     /// The digest of the mesh from which the shape was made, in the frame of the mesh, see

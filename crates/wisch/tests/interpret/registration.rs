@@ -152,6 +152,23 @@ fn on_a_plane_the_fit_is_that_of_the_plane() {
     assert_eq!(fit.determined, 2);
 }
 
+/// On a narrow pipe, a shift of a fifth of its radius is too far for one linear step.
+#[test]
+fn a_pipe_is_found_from_several_starts() {
+    let pipe = SurfaceShape::Cylinder {
+        radius: 0.2,
+        axis: FRAC_PI_2,
+    };
+    for shift in [0.03, -0.045, 0.06] {
+        let moved = Pose::translation(shift, 0.0, 0.0);
+        let points = measured(&pipe, [0.3, 0.3], &moved);
+        let fit = fit_shape(&points, &pipe, &PlaneConfig::default(), 1).expect("a fit");
+        assert_eq!(fit.determined, 4, "{shift}");
+        let off = offset(&fit, &pipe, [0.3, 0.3], &moved);
+        assert!(off <= 5e-5, "{shift}: {off}");
+    }
+}
+
 /// Scattered points lie on no shape, and a stroke along a pipe's axis determines less than strokes across it.
 #[test]
 fn a_fit_needs_contacts_on_the_shape() {

@@ -7,7 +7,7 @@ use super::log::{BOARD, DEPTH, PRESS, STEEP, task};
 use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use std::f64::consts::{PI, TAU};
-use wisch::geometry::{Point2, Pose, Vector3};
+use wisch::geometry::{Point2, Point3, Pose, Vector3};
 use wisch::interpret::{Diagnosis, Doubt, InterpretConfig, Interpretation};
 use wisch::represent::SurfaceShape;
 use wisch_testkit::{Relief, ReliefWipe};
@@ -465,6 +465,140 @@ fn a_known_cylinder_that_is_yawed_is_found_without_a_doubt() {
         assert!(off.abs() < 0.02, "{degrees}°: {off}");
         let off = found.performance.mean - straight.performance.mean;
         assert!(off.abs() < 0.02, "{degrees}°: {off}");
+    }
+}
+
+/// On a narrow cylinder that lies deeper or higher, the same poses are above other places of the believed surface.
+#[test]
+fn places_along_a_cylinder_elsewhere_are_those_of_its_fitted_pose() {
+    let rolled = wipe(Relief::Cylinder {
+        curvature: 5.0,
+        axis: 0.5 * PI,
+    });
+    let extent = |found: &Interpretation| {
+        let touched = found.path.iter().filter(|piece| piece.is_on_plane());
+        let places = touched.map(|piece| piece.position.x);
+        places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+            [low.min(x), high.max(x)]
+        })
+    };
+    let straight = read_rolled(&rolled, 0.2);
+    let [low, high] = extent(&straight);
+    for (height, degrees) in [(-0.015, 0.0), (0.012, 0.0), (0.0, 6.0), (-0.01, -5.0)] {
+        let turn = Vector3::z() * f64::to_radians(degrees);
+        let moved = Pose::new(Vector3::z() * height, turn);
+        let found = read_rolled(
+            &ReliefWipe {
+                believed_from_real: moved,
+                ..rolled.clone()
+            },
+            0.2,
+        );
+        let what = format!("{height} m, {degrees}°");
+        assert_eq!(found.doubts, [], "{what}");
+        assert!(found.is_conclusive(), "{what}");
+        let ends = extent(&found);
+        for (end, expected) in ends.into_iter().zip([low, high]) {
+            assert!(
+                (end - expected).abs() < 2e-3,
+                "{what}: {ends:?} {low} {high}"
+            );
+        }
+        let off = found.performance.mean - straight.performance.mean;
+        assert!(off.abs() < 0.02, "{what}: {off}");
+        let plane = found.plane.unwrap();
+        // This wipe lacks the millimetre by which a tool sinks in over the bend.
+        assert!((plane.offset - height).abs() < 1.5e-3, "{what}: {plane:?}");
+        assert_eq!(plane.inliers, plane.confident, "{what}");
+        let Diagnosis::Relocalize { world_from_surface } = found.diagnosis else {
+            panic!("{what}: {:?}", found.diagnosis);
+        };
+        let believed = task(80, STEEP).surface.world_from_surface;
+        let error = (believed * moved).inverse() * world_from_surface;
+        assert!(error.translation.vector.norm() < 2e-3, "{what}: {error:?}");
+        assert!(
+            error.rotation.angle() < 0.2_f64.to_radians(),
+            "{what}: {error:?}"
+        );
+    }
+}
+
+/// A narrow cylinder is found far beside its believed place; a shape that fits nowhere does not move the surface.
+#[test]
+fn a_cylinder_is_found_beside_its_place_and_another_shape_is_not() {
+    let beside = |relief, shift: f64| {
+        let moved = ReliefWipe {
+            believed_from_real: Pose::translation(shift, 0.0, 0.0),
+            ..wipe(relief)
+        };
+        read_rolled(&moved, 0.2)
+    };
+    let pipe = Relief::Cylinder {
+        curvature: 5.0,
+        axis: 0.5 * PI,
+    };
+    for shift in [0.04, -0.04] {
+        let found = beside(pipe, shift);
+        assert_eq!(found.doubts, [], "{shift}");
+        let Diagnosis::Relocalize { world_from_surface } = found.diagnosis else {
+            panic!("{shift}: {:?}", found.diagnosis);
+        };
+        // The axis counts, as the cylinder may also turn about it.
+        let believed = task(80, STEEP).surface.world_from_surface;
+        let axis = believed.inverse() * world_from_surface * Point3::new(0.0, 0.0, -0.2);
+        let off = axis.xz() - Point2::new(shift, -0.2);
+        assert!(off.norm() < 2e-3, "{shift}: {axis:?}");
+    }
+    let saddle = Relief::Saddle {
+        curvature: 5.0,
+        axis: 0.5 * PI,
+    };
+    let found = beside(saddle, 0.0);
+    assert!(
+        (found.doubts.iter()).any(|doubt| matches!(doubt, Doubt::OffShape { .. })),
+        "{:?}",
+        found.doubts
+    );
+    assert_eq!(found.diagnosis, Diagnosis::Unfitted);
+    assert!(found.plane.is_none() && found.registration.is_none());
+    assert!(!found.is_conclusive());
+}
+
+/// A mesh whose faces point inwards, or a board that is upside down: one doubt, and nothing that follows from it.
+#[test]
+fn a_log_of_the_other_side_is_named_and_not_read() {
+    let over = Pose::new(Vector3::zeros(), Vector3::x() * PI);
+    for (curvature, height) in [(0.0, 0.0), (0.0, -0.01), (1.0, 0.0), (-1.0, 0.005)] {
+        let relief = Relief::Cylinder {
+            curvature,
+            axis: 0.5 * PI,
+        };
+        let turned = ReliefWipe {
+            believed_from_real: Pose::translation(0.0, 0.0, height) * over,
+            friction: 0.3,
+            ..wipe(relief)
+        };
+        let found = if curvature == 0.0 {
+            read(&turned)
+        } else {
+            // Seen from the other side, a bulge is a hollow.
+            read_rolled(&turned, -1.0 / curvature)
+        };
+        let what = format!("{curvature} {height}");
+        assert_eq!(found.doubts, [Doubt::OtherSide], "{what}");
+        assert_eq!(found.diagnosis, Diagnosis::Unfitted, "{what}");
+        assert!(
+            found.events.iter().all(|event| event.kind.is_phase()),
+            "{what}"
+        );
+        assert_eq!(
+            (found.force_bias, found.contact_share),
+            (None, None),
+            "{what}"
+        );
+        assert!(!found.is_conclusive(), "{what}");
+        let text = found.doubts[0].to_string();
+        assert!(text.contains("surface.mesh.towards"), "{text}");
     }
 }
 

@@ -16,9 +16,9 @@ const POINT_TRAVEL: f64 = 5e-4;
 const POINT_PERIOD: f64 = 0.05;
 /// Least f′ at which a weak contact shows the height of the surface [1].
 const TOUCHING_SHARE: f64 = 0.3;
-/// Registered surface against plane [1]: heights are taken over the registered surface above the
-/// first ratio of contacts on the two, or below the second ratio of root mean square distances. A
-/// yawed surface bends the chart.
+/// Registered surface against plane [1]: the surface lies at the registered pose above the first ratio
+/// of contacts on the two, or below the second ratio of root mean square distances. A yawed surface
+/// bends the chart.
 const LEAST_MORE: f64 = 1.02;
 const MUCH_NEARER: f64 = 0.5;
 /// Largest number of contacts against which a curved surface is registered.
@@ -48,8 +48,7 @@ pub(in crate::interpret) struct ClassifiedPath {
     pub(in crate::interpret) plane: Option<(PlaneFit, FittedPlane)>,
     /// The pose at which the shape of a curved surface fits the contacts.
     pub(in crate::interpret) registration: Option<ShapeFit>,
-    /// Whether heights are taken over the registered surface, because the contacts do not lie on a
-    /// plane in the chart.
+    /// Whether the contacts lie on the registered surface rather than on a plane in the chart.
     pub(in crate::interpret) is_moved: bool,
     /// Distances of the contacts from the fitted surface, by place.
     pub(in crate::interpret) residuals: Vec<ContactResidual>,
@@ -85,11 +84,10 @@ impl ContactClassifier<'_> {
         let fit = plane.as_ref().map(|(fit, _)| fit);
         let (registration, is_moved, residuals) =
             (fit.map(|fit| self.register(fit, pieces))).unwrap_or_default();
-        let moved = registration.as_ref().filter(|_| is_moved);
         let mut path = Vec::with_capacity(pieces.len());
         let (mut off, mut off_spring) = (Vec::new(), Vec::new());
         for piece in pieces {
-            let (classified, [least, by_spring]) = self.classify_piece(piece, fit, moved);
+            let (classified, [least, by_spring]) = self.classify_piece(piece, fit);
             path.push(classified);
             off.push(least);
             off_spring.push(by_spring);
@@ -141,17 +139,11 @@ impl ContactClassifier<'_> {
         &self,
         piece: &MeasuredPiece,
         plane: Option<&PlaneFit>,
-        moved: Option<&ShapeFit>,
     ) -> (PathPiece, [f64; 2]) {
         let force = piece.force;
         let normal_force = -force.z;
         let center = Point3::new(piece.position.x, piece.position.y, piece.mean_height);
-        let shape = &self.surface.shape;
-        let height = match (moved, plane) {
-            (Some(moved), _) => moved.height(shape, in_space(shape, &center)),
-            (None, Some(plane)) => plane.distance(center),
-            (None, None) => center.z,
-        };
+        let height = plane.map_or(center.z, |plane| plane.distance(center));
         let off = self.off(center.xy(), height, normal_force);
         let hovers = self.config.gap_m > 0.0;
         let share = if hovers {

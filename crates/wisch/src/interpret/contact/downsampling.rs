@@ -1,9 +1,10 @@
 //! Reduction of a log to pieces, in memory that is bounded for any length and sampling rate.
 
 use super::path::TouchSample;
+use super::registration::in_space;
 use crate::geometry::{Point3, Pose, Vector3, wrap_angle};
 use crate::interpret::error::InterpretError;
-use crate::represent::Surface;
+use crate::represent::{Surface, SurfaceShape};
 use nalgebra::UnitQuaternion;
 use std::collections::VecDeque;
 
@@ -24,6 +25,9 @@ const LEAST_JUMP: f64 = 0.02;
 const SPEED_TIME: f64 = 0.01;
 /// Longest duration of a wrong pose that is left out; a pose that lasts longer is accepted [s].
 const LONGEST_GLITCH: f64 = 0.1;
+
+/// Largest height of the tool over another patch of the mesh that it touches [m].
+const ON_PATCH: f64 = 0.02;
 
 /// Largest valid coordinate [m].
 const MAX_POSITION: f64 = 1e4;
@@ -50,10 +54,42 @@ pub(in crate::interpret) struct MeasuredPiece {
     pub(in crate::interpret) surface_from_tool: UnitQuaternion<f64>,
     /// Turn of these axes from those at the chart's origin; `None` for a plane.
     pub(in crate::interpret) turn: Option<UnitQuaternion<f64>>,
+    /// Whether the tool touches another patch of the divided mesh, beyond the chart of this one.
+    pub(in crate::interpret) is_on_other_patch: bool,
     /// Mean force of the environment on the tool [N].
     pub(in crate::interpret) force: Vector3,
     /// Largest absolute force [N].
     pub(in crate::interpret) peak_force: f64,
+}
+
+impl MeasuredPiece {
+    /// Returns the piece in the chart of the surface at another pose, which is given in the frame of the believed surface.
+    pub(in crate::interpret) fn in_chart_at(&self, pose: &Pose, shape: &SurfaceShape) -> Self {
+        let back = pose.inverse();
+        let chart_at = |height: f64| {
+            let point = Point3::new(self.position.x, self.position.y, height);
+            shape.chart(back * in_space(shape, &point))
+        };
+        let at = chart_at(self.position.z);
+        let turn = shape.orientation(at.place);
+        let turned = turn.inverse() * back.rotation * self.turn.unwrap_or_default();
+        let surface_from_tool = turned * self.surface_from_tool;
+        Self {
+            position: Point3::new(at.place.x, at.place.y, at.height),
+            mean_height: chart_at(self.mean_height).height,
+            heading: heading_of(&surface_from_tool),
+            surface_from_tool,
+            turn: Some(turn),
+            force: turned * self.force,
+            ..*self
+        }
+    }
+}
+
+/// Yaw of a tool with this orientation [rad].
+fn heading_of(surface_from_tool: &UnitQuaternion<f64>) -> f64 {
+    let axis = surface_from_tool * Vector3::x();
+    libm::atan2(axis.y, axis.x)
 }
 
 /// Jumps of the pose, faster than any tool moves.
@@ -103,6 +139,21 @@ impl Downsampler {
             recent: VecDeque::new(),
             jumped: Vec::new(),
             jumps: PoseJumps::default(),
+        }
+    }
+
+    /// Returns the pieces so far over the surface at another pose, which is given in the frame of the believed surface.
+    pub(in crate::interpret) fn with_surface_at(&self, pose: &Pose) -> Self {
+        let mut surface = self.surface.clone();
+        surface.world_from_surface *= *pose;
+        let pieces = self.pieces.iter();
+        Self {
+            surface_from_world: surface.world_from_surface.inverse(),
+            pieces: pieces
+                .map(|piece| piece.in_chart_at(pose, &surface.shape))
+                .collect(),
+            surface,
+            ..self.clone()
         }
     }
 
@@ -192,6 +243,14 @@ impl Downsampler {
         while (self.recent.get(1)).is_some_and(|next| sample.time - next.time >= SPEED_TIME) {
             self.recent.pop_front();
         }
+        let is_on_other_patch = match &self.surface.shape {
+            SurfaceShape::Mesh(mesh) => {
+                let point = self.surface_from_world
+                    * Point3::from(sample.world_from_tool.translation.vector);
+                mesh.is_on_other_patch(point, ON_PATCH)
+            }
+            SurfaceShape::Plane | SurfaceShape::Cylinder { .. } | SurfaceShape::Cone(_) => false,
+        };
         let (surface_from_tool, turn) = if self.surface.shape.is_plane() {
             (self.surface_from_world * sample.world_from_tool, None)
         } else {
@@ -200,15 +259,15 @@ impl Downsampler {
             (tool, Some(self.surface.shape.orientation(place)))
         };
         let force = self.surface_from_world.rotation * sample.force;
-        let axis_in_surface = surface_from_tool.rotation * Vector3::x();
         let one = MeasuredPiece {
             time: [sample.time; 2],
             samples: 1,
             position: surface_from_tool.translation.vector.into(),
             mean_height: surface_from_tool.translation.z,
-            heading: libm::atan2(axis_in_surface.y, axis_in_surface.x),
+            heading: heading_of(&surface_from_tool.rotation),
             surface_from_tool: surface_from_tool.rotation,
             turn,
+            is_on_other_patch,
             force: turn.map_or(force, |turn| turn.inverse() * force),
             peak_force: sample.force.norm(),
         };
@@ -312,6 +371,7 @@ fn join(one: &MeasuredPiece, next: &MeasuredPiece) -> MeasuredPiece {
         heading: next.heading,
         surface_from_tool: next.surface_from_tool,
         turn: next.turn,
+        is_on_other_patch: next.is_on_other_patch,
         force: one.force + (next.force - one.force) * share,
         peak_force: one.peak_force.max(next.peak_force),
     }

@@ -51,7 +51,8 @@ pub enum Touch {
 pub struct PathPiece {
     /// Time of the first and of the last sample \[s\]; the piece represents the time [`span`](Self::span).
     pub time: [f64; 2],
-    /// The tool centre point at the last sample, in the frame of the believed surface \[m\].
+    /// The tool centre point at the last sample, in the frame of the believed surface \[m\]; on a curved surface that
+    /// lies elsewhere, in the chart of the surface at its fitted pose.
     pub position: Point3,
     /// Yaw of the tool about the surface normal at the last sample \[rad\].
     pub heading: f64,
@@ -141,7 +142,8 @@ impl PathPiece {
     }
 }
 
-/// Plane fitted to the confident contacts (11), in the frame of the believed surface.
+/// Plane fitted to the confident contacts (11), in the frame of the believed surface; for a curved surface, the plane that
+/// touches it at its fitted pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPlane {
     /// Point of the plane above the middle of the believed surface \[m\].

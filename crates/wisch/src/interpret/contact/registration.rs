@@ -22,6 +22,10 @@ const LEVER: f64 = 0.2;
 const LEAST_EFFECT: f64 = 1e-4;
 /// Largest number of points on which a hypothesis is scored.
 const MOST_SCORED: usize = 1000;
+/// Least share of the contacts on the surface at a pose with which no other start is tried [1], and distances of the other
+/// starts from the believed pose [m].
+const ENOUGH: f64 = 0.5;
+const BESIDE: [f64; 2] = [0.025, 0.05];
 /// Largest number of Gauss–Newton iterations, and the step at which they end [m].
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
@@ -40,16 +44,6 @@ pub struct ShapeFit {
 }
 
 impl ShapeFit {
-    /// Returns a point of the believed surface's chart in that of the fitted surface; its z is the height \[m\].
-    pub(in crate::interpret) fn to_fitted_chart(
-        &self,
-        shape: &SurfaceShape,
-        point: &Point3,
-    ) -> Point3 {
-        let at = shape.chart(self.believed_from_real.inverse() * in_space(shape, point));
-        Point3::new(at.place.x, at.place.y, at.height)
-    }
-
     /// Returns the height of a point over the fitted surface \[m\]; `point` is in the frame of the believed surface.
     pub fn height(&self, shape: &SurfaceShape, point: Point3) -> f64 {
         shape
@@ -122,8 +116,7 @@ pub fn fit_shape(
         middle: Point3::from(sum / points.len() as f64),
         config,
     };
-    let start = registration.search(seed)?;
-    let fit = registration.refine(start);
+    let fit = registration.fit(seed)?;
     let least = (config.min_share * points.len() as f64).max(config.min_points as f64);
     (fit.inliers as f64 >= least).then_some(fit)
 }
@@ -137,6 +130,38 @@ struct Registration<'a> {
 }
 
 impl Registration<'_> {
+    /// Returns the best fit from several starts: the believed pose and, if it leads to few contacts on the surface, others
+    /// beside it.
+    fn fit(&self, seed: u64) -> Option<ShapeFit> {
+        let enough = ENOUGH * self.points.len() as f64;
+        let mut best: Option<ShapeFit> = None;
+        for start in std::iter::once(Pose::identity()).chain(self.starts_beside()) {
+            let Some(found) = self.search(&start, seed) else {
+                continue;
+            };
+            let fit = self.refine(found);
+            if best.as_ref().is_none_or(|best| fit.inliers > best.inliers) {
+                best = Some(fit);
+            }
+            if (best.as_ref()).is_some_and(|best| best.inliers as f64 >= enough) {
+                break;
+            }
+        }
+        best
+    }
+
+    /// Poses of the real surface that are shifted along the tangents in the middle of the contacts.
+    fn starts_beside(&self) -> impl Iterator<Item = Pose> {
+        let tangents = (self.shape).orientation(self.shape.chart(self.middle).place);
+        let directions = [Vector3::x(), -Vector3::x(), Vector3::y(), -Vector3::y()];
+        BESIDE.into_iter().flat_map(move |distance| {
+            directions.map(|direction| {
+                let shift = tangents * direction * distance;
+                Pose::translation(shift.x, shift.y, shift.z)
+            })
+        })
+    }
+
     /// Linearises a contact about a pose of the real surface in the frame of the believed one.
     fn linearise(&self, real_from_believed: &Pose, point: &Point3) -> LinearContact {
         let point = real_from_believed * point;
@@ -157,12 +182,13 @@ impl Registration<'_> {
         about * Pose::from_parts(Translation3::from(shift), turn) * about.inverse()
     }
 
-    /// Returns the motion of the hypothesis with the least truncated squared distances; `None` if each hypothesis turns the
-    /// surface too far.
-    fn search(&self, seed: u64) -> Option<Pose> {
+    /// Returns the pose of the hypothesis with the least truncated squared distances, which are linearised about a start;
+    /// `None` if each hypothesis turns the surface too far.
+    fn search(&self, start: &Pose, seed: u64) -> Option<Pose> {
+        let real_from_believed = start.inverse();
         let stride = self.points.len().div_ceil(MOST_SCORED);
         let scored: Vec<LinearContact> = (self.points.iter().step_by(stride))
-            .map(|point| self.linearise(&Pose::identity(), point))
+            .map(|point| self.linearise(&real_from_believed, point))
             .collect();
         let determined = determined_motions(&scored);
         let count = determined.len();
@@ -207,7 +233,7 @@ impl Registration<'_> {
                 best = Some((cost, step));
             }
         }
-        best.map(|(_, step)| self.motion(&combine(&determined, &step)))
+        best.map(|(_, step)| start * self.motion(&combine(&determined, &step)))
     }
 
     /// Repeats least squares on the distances of the inliers until they no longer change.

@@ -9,6 +9,7 @@ use std::fmt;
 /// Texts of doubts without values.
 const NO_FREE_MOTION: &str = "the log shows no calm free motion, so the bias of the force is unknown: record a second of motion above the surface";
 const UNPROVEN_CAMERA: &str = "the observation shows no dirt, and no earlier one shows that the camera detects any: it does not decide what touch cannot";
+const OTHER_SIDE: &str = "the tool presses against the other side of the believed surface, and its free motion is on that side too: correct the side of a mesh (surface.mesh.towards), or turn the surface by 180° about its x axis (surface.rpy_rad)";
 
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -21,6 +22,7 @@ impl fmt::Display for Doubt {
             } => write_no_contact(f, closest, [force, declared], lasts),
             Self::ForceInOtherUnit { force, declared } => write_other_unit(f, force, declared),
             Self::FarAway { distance } => write_far_away(f, distance),
+            Self::OtherSide => f.write_str(OTHER_SIDE),
             Self::NeverNearSurface { closest } => write_never_near(f, closest),
             Self::NoFreeMotion => f.write_str(NO_FREE_MOTION),
             Self::Curved {
@@ -96,6 +98,7 @@ impl fmt::Display for Doubt {
             Self::ContactFarFromSurface { height, searched } => write_far_off(f, height, searched),
             Self::LoadInAir { force, mass } => write_load(f, force, mass),
             Self::ContactBesideSurface { share } => write_contact_beside(f, share),
+            Self::OnOtherPatches { share } => write_other_patches(f, share),
             Self::Scattered { inliers, confident } => write!(
                 f,
                 "only {inliers} of {confident} confident contacts lie on one plane"
@@ -108,6 +111,15 @@ impl fmt::Display for Doubt {
             Self::LittleSliding { travel, radius } => write_sliding(f, travel, radius),
         }
     }
+}
+
+/// Writes [`Doubt::OnOtherPatches`].
+fn write_other_patches(f: &mut fmt::Formatter<'_>, share: f64) -> fmt::Result {
+    write!(
+        f,
+        "for {:.0} % of the time with force, the tool is on other patches of the mesh, which are not counted: interpret the log for each patch (surface.mesh.patch)",
+        100.0 * share
+    )
 }
 
 /// Writes [`Doubt::FarAway`].
@@ -132,7 +144,7 @@ fn write_not_planar(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
 fn write_off_shape(f: &mut fmt::Formatter<'_>, off: f64) -> fmt::Result {
     write!(
         f,
-        "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it, wherever it lies; check its radius and axis, or its mesh",
+        "the contacts do not lie on the believed curved surface: a tenth of them is more than {:.1} mm off it at the pose that fits them best; check its radius and axis, its mesh, and its pose",
         1e3 * off
     )
 }
