@@ -117,8 +117,8 @@ pub struct Interpreter {
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
-    /// Times [s] and places, in the chart of the believed surface, of poses without a force.
-    poses_alone: Vec<(f64, Point3)>,
+    /// Times of poses without a force, and positions of the tool in the believed surface frame and in its chart.
+    poses_alone: Vec<(f64, [Point3; 2])>,
 }
 
 impl Interpreter {
@@ -169,9 +169,11 @@ impl Interpreter {
     pub fn note_pose(&mut self, time: f64, world_from_tool: &Pose) {
         let is_due = (self.poses_alone.last()).is_none_or(|(last, _)| time - last >= BETWEEN_POSES);
         if is_due {
-            let tool = self.surface.chart_from_tool(world_from_tool);
-            self.poses_alone
-                .push((time, tool.translation.vector.into()));
+            let surface_from_tool = self.surface.world_from_surface.inverse() * world_from_tool;
+            let in_chart = self.surface.chart_from_tool(world_from_tool);
+            let positions =
+                [surface_from_tool, in_chart].map(|pose| pose.translation.vector.into());
+            self.poses_alone.push((time, positions));
         }
     }
 
@@ -588,22 +590,24 @@ impl Interpreter {
 
     /// Adds the time in which the tool slid on the surface without a force to the doubt about an incomplete log.
     fn count_sliding_without_force(&self, classified: &ClassifiedPath, doubts: &mut Vec<Doubt>) {
-        let height = |place: &Point3| match (&classified.registration, &classified.plane) {
-            (Some(fit), _) => fit.to_fitted_chart(&self.surface.shape, place).z,
-            (None, Some((plane, _))) => plane.distance(*place),
-            (None, None) => place.z,
-        };
+        let height =
+            |[place, in_chart]: &[Point3; 2]| match (&classified.registration, &classified.plane) {
+                (Some(fit), _) => fit.height(&self.surface.shape, *place),
+                (None, Some((plane, _))) => plane.distance(*in_chart),
+                (None, None) => in_chart.z,
+            };
         let is_known = classified.registration.is_some() || classified.plane.is_some();
         let near = if is_known { ON_SURFACE } else { NEAR };
-        let is_on = |place: &Point3| {
-            height(place).abs() <= near && self.surface.outline.contains(place.xy())
+        let is_on = |positions: &[Point3; 2]| {
+            let place = positions[1].xy();
+            height(positions).abs() <= near && self.surface.outline.contains(place)
         };
         let (mut time, mut travel) = (0.0, 0.0);
         for pair in self.poses_alone.windows(2) {
             let [(start, from), (end, to)] = [&pair[0], &pair[1]];
             if end - start <= LONGEST_BETWEEN && is_on(from) && is_on(to) {
                 time += end - start;
-                travel += (to - from).xy().norm();
+                travel += (to[0] - from[0]).norm();
             }
         }
         if travel < LEAST_SLIDING {

@@ -4,7 +4,7 @@ use super::interpreted_with;
 use super::log::{DEPTH, PRESS, STEEP, task};
 use std::sync::Arc;
 use wisch::geometry::{Atlas, MAX_CHARTS, Point2, Point3, Pose, SheetConfig, Vector3};
-use wisch::interpret::{Diagnosis, Doubt, InterpretConfig, TouchSample};
+use wisch::interpret::{Diagnosis, InterpretConfig, TouchSample};
 use wisch::represent::{MeshShape, ParticleDistribution, SurfaceShape, Task};
 use wisch_testkit::{Relief, ReliefWipe, curved_meshes};
 
