@@ -335,7 +335,7 @@ fn poses_are_thinned_frame_by_frame() {
 /// recorded with an earlier BSON writer, except those of the observations and wrenches.
 const RECORDED: [(&str, u32); 6] = [
     ("triples", 2_181_875_530),
-    ("annotations", 1_378_351_306),
+    ("annotations", 3_054_466_018),
     ("inferred", 0),
     ("tf", 2_541_484_127),
     ("wrench", 3_417_302_854),
