@@ -83,6 +83,9 @@ pub struct Log {
 
 /// Longest time by which poses and forces may begin or end apart without a remark \[ns\].
 const LONGEST_ALONE: i64 = 1_000_000_000;
+/// Longest time between two measurements of the force, of a writer that repeats them, between which forces are interpolated
+/// \[s\]; beyond it, the log has a sample per measurement.
+const LONGEST_INTERPOLATED: f64 = 0.25;
 /// Number of gaps that [`Log::describe_reading`] lists one by one.
 const GAPS_SHOWN: usize = 5;
 
@@ -413,7 +416,8 @@ fn combine(
         None
     };
     let held = take_out_repetitions(&mut raw);
-    let mut pairs = pair(&raw.poses, &raw.wrenches, options.max_gap)?;
+    let held_for = held.as_ref().map_or(0.0, |(_, period)| *period);
+    let mut pairs = pair_held(&raw, held_for, options.max_gap)?;
     let first = pairs[0].0;
     let world = World::of(&raw, options)?;
     let poses = world.poses_of(&raw, options);
@@ -464,7 +468,7 @@ fn combine(
         .iter()
         .cloned()
         .chain(spikes.map(|found| found.describe(start, force_unit, options.max_gap)))
-        .chain(held)
+        .chain(held.map(|(remark, _)| remark))
         .chain(saturated.iter().map(|found| found.describe(force_unit)))
         .chain(raw.frames.remark_on_changes())
         .chain(correction.remarks)
@@ -473,7 +477,7 @@ fn combine(
     Ok(Log {
         start,
         remarks,
-        gaps: gaps(&samples, options.max_gap),
+        gaps: gaps(&samples, options.max_gap.max(1.5 * held_for)),
         poses_alone: find_poses_alone(&raw, &poses)
             .map(|(time, pose)| (since_start(time), pose * options.logged_from_tool))
             .collect(),
@@ -530,10 +534,13 @@ fn leave_out_unusable(
         &usable[..usable.partition_point(|(time, _)| *time < from)],
         &usable[usable.partition_point(|(time, _)| *time <= to)..],
     ];
+    // Pairs have the times of the more frequent track.
+    let within = usable.len() - before.len() - after.len();
+    let per_force = (pairs.len() as f64 / within.max(1) as f64).max(1.0);
     for alone in [before, after] {
         let [from, to] = ends(alone);
         if to - from > LONGEST_ALONE && shows_contact(alone, &usable) {
-            unusable.missing_pose += alone.len();
+            unusable.missing_pose += (alone.len() as f64 * per_force).round() as usize;
         }
     }
     pairs.retain(|(time, ..)| {
@@ -553,14 +560,26 @@ fn leave_out_unusable(
     (unusable, saturated)
 }
 
-/// Leaves only the first of equal forces that a writer repeats, with a remark on that.
-fn take_out_repetitions(raw: &mut RawLog) -> Option<String> {
+/// Leaves only the first of equal forces that a writer repeats, with a remark on that and the period of the measurements \[s\].
+fn take_out_repetitions(raw: &mut RawLog) -> Option<(String, f64)> {
     let (measured, period) = find_held_forces(&raw.wrenches.entries)?;
     raw.wrenches.entries = measured;
-    Some(format!(
+    let remark = format!(
         "{} repeats each measurement until the next one, {period:.2} s later: only the first of equal forces is used",
         raw.wrenches.name
-    ))
+    );
+    Some((remark, period))
+}
+
+/// Returns the poses and forces at common times. `held_for`: period of forces that a writer repeats \[s\], or 0.
+fn pair_held(
+    raw: &RawLog,
+    held_for: f64,
+    max_gap: f64,
+) -> Result<Vec<(i64, Pose, Vector3)>, ReadFault> {
+    let is_sparse = held_for > LONGEST_INTERPOLATED;
+    let longest = if is_sparse { 0.0 } else { 1.5 * held_for };
+    pair(&raw.poses, &raw.wrenches, longest.max(max_gap), is_sparse)
 }
 
 /// Returns the poses before the first force and after the last, with their times \[ns\]. `poses`: in the world.

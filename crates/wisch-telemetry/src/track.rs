@@ -331,8 +331,9 @@ pub(crate) fn pair<P: Quantity, W: Quantity>(
     poses: &Track<P>,
     wrenches: &Track<W>,
     max_gap: f64,
+    at_wrenches: bool,
 ) -> Result<Vec<(i64, P, W)>, ReadFault> {
-    let pairs: Vec<_> = if poses.entries.len() >= wrenches.entries.len() {
+    let pairs: Vec<_> = if !at_wrenches && poses.entries.len() >= wrenches.entries.len() {
         at_times_of(&poses.entries, &wrenches.entries, max_gap).collect()
     } else {
         at_times_of(&wrenches.entries, &poses.entries, max_gap)
@@ -412,7 +413,7 @@ mod tests {
 
     #[test]
     fn a_gap_in_the_rarer_track_leaves_a_gap() {
-        let pairs = pair(&poses(0..=10), &forces([0, 4, 9]), 4.5e-9).unwrap();
+        let pairs = pair(&poses(0..=10), &forces([0, 4, 9]), 4.5e-9, false).unwrap();
         let times: Vec<i64> = pairs.iter().map(|(time, ..)| *time).collect();
         assert_eq!(
             times,
@@ -424,12 +425,17 @@ mod tests {
     #[test]
     fn tracks_without_overlap_are_refused_with_both_intervals() {
         let second = NANOSECONDS_PER_SECOND as i64;
-        let refused = pair(&poses([0, second]), &forces([2 * second, 3 * second]), 0.1);
+        let refused = pair(
+            &poses([0, second]),
+            &forces([2 * second, 3 * second]),
+            0.1,
+            false,
+        );
         assert_eq!(
             refused.unwrap_err().to_string(),
             "/pose covers 0.000 to 1.000 s and /force 2.000 to 3.000 s: they do not overlap within the limit of 0.1 s"
         );
-        assert!(pair(&poses([]), &forces([]), 0.1).is_err());
+        assert!(pair(&poses([]), &forces([]), 0.1, false).is_err());
     }
 
     #[test]
@@ -500,7 +506,7 @@ mod tests {
         #[test]
         fn linear_motion_is_interpolated_exactly(times in prop::collection::btree_set(0_i64..1000, 2..40), step in 1_i64..50) {
             let regular = (0..=1000 / step).map(|k| k * step);
-            let pairs = pair(&poses(times), &forces(regular), 1.0);
+            let pairs = pair(&poses(times), &forces(regular), 1.0, false);
             for (time, pose, force) in pairs.into_iter().flatten() {
                 prop_assert!((pose.translation.x - time as f64).abs() < 1e-9);
                 prop_assert!((force.x - time as f64).abs() < 1e-9);

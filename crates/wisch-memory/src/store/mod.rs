@@ -199,6 +199,9 @@ impl Memory {
         let guard = self.lock()?;
         // On a full disk, the note fails until the episode is removed.
         let noted = self.note_forgotten(id);
+        if noted.as_ref().is_err_and(|error| !error.is_disk_full()) {
+            return noted;
+        }
         // By one rename, so that no reader meets a partial episode.
         let removed = (self.folder.join(NEW_FOLDER)).join(format!("{id}{FORGOTTEN_ENDING}"));
         remove_folder(&removed)?;

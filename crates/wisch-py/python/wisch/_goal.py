@@ -146,17 +146,16 @@ class GoalFile:
 
 def _toml(key: str, value: Any) -> str:
     """Write a value as TOML."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
-        return json.dumps(value)
+        return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{json.dumps(str(name))} = {_toml(key, one)}" for name, one in value.items()) + " }"
-    if isinstance(value, Sequence) or hasattr(value, "tolist"):
-        values = value.tolist() if hasattr(value, "tolist") else value
-        if isinstance(values, Sequence):
-            return "[" + ", ".join(_toml(key, one) for one in values) + "]"
-        value = values
+        return "{ " + ", ".join(f"{json.dumps(str(name), ensure_ascii=False)} = {_toml(key, one)}" for name, one in value.items()) + " }"
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(_toml(key, one) for one in value) + "]"
     if isinstance(value, (int, float)):
         return repr(value)
     raise WischError(f"{key}: {value!r} is no value of a task file", value=repr(value))

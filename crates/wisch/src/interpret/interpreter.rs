@@ -32,6 +32,8 @@ const ON_SURFACE: f64 = 5e-3;
 /// Least time between two poses without a force that are kept, and largest time between two that follow each other [s].
 const BETWEEN_POSES: f64 = 0.02;
 const LONGEST_BETWEEN: f64 = 0.5;
+/// Number of such poses from which every second one is left out.
+const MOST_POSES: usize = 200_000;
 /// Least travel on the surface without a force that may have wiped [m].
 const LEAST_SLIDING: f64 = 0.02;
 
@@ -117,8 +119,9 @@ pub struct Interpreter {
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
-    /// Times of poses without a force, and positions of the tool in the believed surface frame and in its chart.
-    poses_alone: Vec<(f64, [Point3; 2])>,
+    /// Times of poses without a force [s] and positions of the tool in the world, and the least time between two of them [s].
+    poses_alone: Vec<(f64, Point3)>,
+    between_poses: f64,
 }
 
 impl Interpreter {
@@ -140,6 +143,7 @@ impl Interpreter {
             config: config.clone(),
             unusable: UnusableWrenches::default(),
             poses_alone: Vec::new(),
+            between_poses: BETWEEN_POSES,
         })
     }
 
@@ -167,13 +171,20 @@ impl Interpreter {
     /// order of the times. If the tool slid on the surface at such times, the estimate is a lower bound, and a [`Doubt`] states
     /// for how long.
     pub fn note_pose(&mut self, time: f64, world_from_tool: &Pose) {
-        let is_due = (self.poses_alone.last()).is_none_or(|(last, _)| time - last >= BETWEEN_POSES);
-        if is_due {
-            let surface_from_tool = self.surface.world_from_surface.inverse() * world_from_tool;
-            let in_chart = self.surface.chart_from_tool(world_from_tool);
-            let positions =
-                [surface_from_tool, in_chart].map(|pose| pose.translation.vector.into());
-            self.poses_alone.push((time, positions));
+        let place: Point3 = world_from_tool.translation.vector.into();
+        let is_valid = time.is_finite() && place.iter().all(|part| part.is_finite());
+        let last = self.poses_alone.last();
+        if !is_valid || last.is_some_and(|(last, _)| time - last < self.between_poses) {
+            return;
+        }
+        self.poses_alone.push((time, place));
+        if self.poses_alone.len() >= MOST_POSES {
+            let mut number = 0;
+            self.poses_alone.retain(|_| {
+                number += 1;
+                number % 2 == 1
+            });
+            self.between_poses *= 2.0;
         }
     }
 
@@ -590,24 +601,27 @@ impl Interpreter {
 
     /// Adds the time in which the tool slid on the surface without a force to the doubt about an incomplete log.
     fn count_sliding_without_force(&self, classified: &ClassifiedPath, doubts: &mut Vec<Doubt>) {
-        let height =
-            |[place, in_chart]: &[Point3; 2]| match (&classified.registration, &classified.plane) {
-                (Some(fit), _) => fit.height(&self.surface.shape, *place),
-                (None, Some((plane, _))) => plane.distance(*in_chart),
-                (None, None) => in_chart.z,
-            };
+        let surface_from_world = self.surface.world_from_surface.inverse();
         let is_known = classified.registration.is_some() || classified.plane.is_some();
         let near = if is_known { ON_SURFACE } else { NEAR };
-        let is_on = |positions: &[Point3; 2]| {
-            let place = positions[1].xy();
-            height(positions).abs() <= near && self.surface.outline.contains(place)
+        let is_on = |place: &Point3| {
+            let place = surface_from_world * place;
+            let at = self.surface.shape.chart(place);
+            let in_chart = Point3::new(at.place.x, at.place.y, at.height);
+            let height = match (&classified.registration, &classified.plane) {
+                (Some(fit), _) => fit.height(&self.surface.shape, place),
+                (None, Some((plane, _))) => plane.distance(in_chart),
+                (None, None) => in_chart.z,
+            };
+            height.abs() <= near && self.surface.outline.contains(at.place)
         };
+        let longest = LONGEST_BETWEEN.max(2.0 * self.between_poses);
         let (mut time, mut travel) = (0.0, 0.0);
         for pair in self.poses_alone.windows(2) {
             let [(start, from), (end, to)] = [&pair[0], &pair[1]];
-            if end - start <= LONGEST_BETWEEN && is_on(from) && is_on(to) {
+            if end - start <= longest && is_on(from) && is_on(to) {
                 time += end - start;
-                travel += (to[0] - from[0]).norm();
+                travel += (to - from).norm();
             }
         }
         if travel < LEAST_SLIDING {

@@ -7,7 +7,7 @@ use super::contact::{
 };
 use super::doubt::{Doubt, FAR, LONGEST_PERIOD, NEAR, fits_other_unit};
 use super::events::{Event, EventKind};
-use crate::geometry::{Point2, Point3, Vector3};
+use crate::geometry::{Point2, Point3};
 use crate::represent::{Surface, SurfaceShape};
 use std::ops::Range;
 
@@ -328,6 +328,13 @@ impl LogEvidence<'_> {
     /// Returns a doubt if the force over the surface is that of contact on its other side, and the tool moves freely only on
     /// that side of its contacts. The axes of the tool say nothing, because z may point into the surface as well as out of it.
     fn find_other_side(&self) -> Option<Doubt> {
+        // With the bias subtracted, the contacts lie where the surface is believed.
+        if let Some((_, plane)) = &self.classified.plane
+            && 2 * plane.inliers >= plane.confident
+            && plane.offset.abs() < FREE_DISTANCE
+        {
+            return None;
+        }
         let nominal = self.declared.nominal_force();
         let path = &self.classified.path;
         let over: Vec<(&MeasuredPiece, f64)> = (self.measured.iter().enumerate())
@@ -351,6 +358,10 @@ impl LogEvidence<'_> {
             .collect();
         heights.sort_unstable_by(f64::total_cmp);
         let [low, high] = [1, 19].map(|part| heights[(heights.len() - 1) * part / 20]);
+        // Free motion of a biased sensor has several heights.
+        if self.surface.shape.is_plane() && high - low > MOST_SPREAD {
+            return None;
+        }
         let is_free = |piece: &MeasuredPiece| piece.force.norm() <= FREE_FORCE * nominal;
         let below = time(&|piece| is_free(piece) && piece.mean_height < low - FREE_DISTANCE);
         let above = time(&|piece| is_free(piece) && piece.mean_height > high + FREE_DISTANCE);
@@ -503,18 +514,22 @@ impl LogEvidence<'_> {
         let path = &self.classified.path;
         let [first, last] = [&path[pieces.start], &path[pieces.end - 1]];
         let count = pieces.len() as f64;
-        let force: Vector3 = pieces.clone().map(|i| self.pieces[i].force).sum();
-        let force = force / count;
+        let force = pieces.clone().map(|i| self.pieces[i].force.z).sum::<f64>() / count;
         let rise = last.height - first.height;
-        let way = (last.position - first.position).xy();
-        let along = way.try_normalize(1e-9).unwrap_or_default();
+        // By steps, because the tool may go back and forth.
+        let against = (pieces.start + 1..pieces.end).map(|i| {
+            let step = (path[i].position - path[i - 1].position).xy();
+            let force = self.pieces[i].force;
+            -force.xy().dot(&step) / force.z
+        });
+        let against: f64 = against.sum();
         let heights = pieces.clone().map(|i| path[i].height.abs());
         let is_off = |i: &usize| !path[*i].is_on_plane();
         SteadySlide {
             travel,
-            force: force.z,
+            force,
             // A surface that rises pushes the tool back, without friction.
-            drag: -force.xy().dot(&along) / force.z - rise / travel,
+            drag: (against - rise) / travel,
             rise,
             highest: heights.fold(0.0, f64::max),
             share_off_plane: pieces.clone().filter(is_off).count() as f64 / count,

@@ -58,8 +58,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
         return Err(MeshError::Syntax { reason });
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut vertices: Vec<Point3> = Vec::new();
-    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let mut mesh = Contents::default();
     // Text of a line that continues on the next one, and the number of its first line.
     let mut continued: Option<(usize, String)> = None;
     let lines = bytes.split(|byte| *byte == b'\n').enumerate();
@@ -79,57 +78,82 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshError> {
             continue;
         }
         whole.push_str(text);
-        read_line(&whole, &mut vertices, &mut triangles).map_err(|fault| match fault {
-            LineFault::Syntax(reason) => MeshError::Syntax {
-                reason: format!("line {first}: {reason}"),
-            },
-            LineFault::TooMany(count) => MeshError::TooManyTriangles { count },
-        })?;
+        mesh.read_line(first, &whole)?;
     }
-    Mesh::new(vertices, triangles)
+    if let Some((first, whole)) = continued {
+        mesh.read_line(first, &whole)?;
+    }
+    mesh.finish()
 }
 
-/// Why a line cannot be read.
-enum LineFault {
-    Syntax(String),
-    /// The triangles so far exceed the limit; their number.
-    TooMany(usize),
+/// Vertices and faces of the lines so far.
+#[derive(Default)]
+struct Contents {
+    vertices: Vec<Point3>,
+    /// Numbers of the corners, all faces one after another. They may be those of later vertices.
+    corners: Vec<usize>,
+    /// For each face, its line and the number of its corners.
+    faces: Vec<(usize, usize)>,
+    triangles: usize,
 }
 
-fn read_line(
-    line: &str,
-    vertices: &mut Vec<Point3>,
-    triangles: &mut Vec<[u32; 3]>,
-) -> Result<(), LineFault> {
-    let mut words = line.split_ascii_whitespace();
-    match words.next() {
-        None => {}
-        Some("v") => vertices.push(read_vertex(words).map_err(LineFault::Syntax)?),
-        Some("f") => {
-            let corners = words.map(|word| find_vertex(word, vertices.len()));
-            let corners: Vec<usize> = corners
-                .collect::<Result<_, _>>()
-                .map_err(LineFault::Syntax)?;
-            if corners.len() < 3 {
-                let count = corners.len();
-                let reason = format!("a face has at least 3 corners, and this one has {count}");
-                return Err(LineFault::Syntax(reason));
+impl Contents {
+    fn read_line(&mut self, number: usize, line: &str) -> Result<(), MeshError> {
+        let fault = |reason| fault_in(number, reason);
+        let mut words = line.split_ascii_whitespace();
+        match words.next() {
+            None => {}
+            Some("v") => self.vertices.push(read_vertex(words).map_err(fault)?),
+            Some("f") => {
+                let before = self.corners.len();
+                for word in words {
+                    let at = find_vertex(word, self.vertices.len()).map_err(fault)?;
+                    self.corners.push(at);
+                }
+                let count = self.corners.len() - before;
+                if count < 3 {
+                    let reason = format!("a face has at least 3 corners, and this one has {count}");
+                    return Err(fault(reason));
+                }
+                self.faces.push((number, count));
+                self.triangles += count - 2;
+                if self.triangles > MAX_TRIANGLES {
+                    let count = self.triangles;
+                    return Err(MeshError::TooManyTriangles { count });
+                }
             }
-            let count = triangles.len() + corners.len() - 2;
-            if count > MAX_TRIANGLES {
-                return Err(LineFault::TooMany(count));
+            Some(other) if OTHER_KEYWORDS.contains(&other) => {}
+            Some(other) => {
+                let shown: String = other.chars().take(20).collect();
+                return Err(fault(format!("{shown:?} is no keyword of OBJ")));
             }
-            let places: Vec<Point3> = corners.iter().map(|&at| vertices[at]).collect();
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<Mesh, MeshError> {
+        let mut triangles: Vec<[u32; 3]> = Vec::with_capacity(self.triangles);
+        let mut rest = &self.corners[..];
+        for (number, count) in self.faces {
+            let (corners, after) = rest.split_at(count);
+            rest = after;
+            let places = corners.iter().map(|&at| self.vertices.get(at).copied());
+            let Some(places) = places.collect::<Option<Vec<Point3>>>() else {
+                let (all, most) = (self.vertices.len(), corners.iter().max().unwrap_or(&0) + 1);
+                let reason = format!("vertex {most} is not among the {all} of the file");
+                return Err(fault_in(number, reason));
+            };
             let cut = cut_face(&places);
             triangles.extend(cut.iter().map(|three| three.map(|k| corners[k] as u32)));
         }
-        Some(other) if OTHER_KEYWORDS.contains(&other) => {}
-        Some(other) => {
-            let shown: String = other.chars().take(20).collect();
-            return Err(LineFault::Syntax(format!("{shown:?} is no keyword of OBJ")));
-        }
+        Mesh::new(self.vertices, triangles)
     }
-    Ok(())
+}
+
+fn fault_in(line: usize, reason: String) -> MeshError {
+    MeshError::Syntax {
+        reason: format!("line {line}: {reason}"),
+    }
 }
 
 /// Reads a vertex, which is homogeneous if it has four numbers. More numbers are its colour.
@@ -149,15 +173,16 @@ fn read_vertex<'a>(words: impl Iterator<Item = &'a str>) -> Result<Point3, Strin
     }
 }
 
-/// Returns the number of the vertex of a corner such as 3, 3/1, 3//2 or -1, which counts backwards from the last vertex.
+/// Returns the number of the vertex of a corner such as 3, 3/1, 3//2 or -1, which counts backwards from the last vertex so far.
 fn find_vertex(word: &str, count: usize) -> Result<usize, String> {
     let index = word.split('/').next().unwrap_or_default();
     let index: i64 = (index.parse()).map_err(|_| format!("{word:?} is no corner of a face"))?;
-    let at = if index < 0 {
-        count as i64 + index
-    } else {
-        index - 1
+    let at = match index {
+        0 => None,
+        1.. => usize::try_from(index - 1).ok(),
+        _ => (count as i64)
+            .checked_add(index)
+            .and_then(|at| usize::try_from(at).ok()),
     };
-    (usize::try_from(at).ok().filter(|at| *at < count))
-        .ok_or_else(|| format!("vertex {index} is not among the {count} before it"))
+    at.ok_or_else(|| format!("vertex {index} is not among the {count} before it"))
 }

@@ -411,7 +411,7 @@ fn faults_name_mesh_place_and_limit() {
         (
             b"v 0 0 0\nf 1 2 3".to_vec(),
             MeshFormat::Obj,
-            "line 2: vertex 2 is not among the 1 before it",
+            "line 2: vertex 3 is not among the 1 of the file",
         ),
         (b"v 0 nan 0\nf 1 1 1".to_vec(), MeshFormat::Obj, "y = NaN m"),
         (
@@ -470,6 +470,7 @@ fn valid_files_of_any_writer_are_read() {
     let square = [
         "v 0 0 0\nv 2 0 0 # origin\nv 2 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1/1/1 3/1/1 4/1/1\n",
         "v 0 0 0\r\nv 2 0 0\r\nv 2 1 0\r\nv 0 1 0\r\nf 1 2 \\\r\n  3 4 # quad\r\n",
+        "f 1 2 3\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 3 4 \\",
         "\u{feff}o a\nv 0 0 0\nv 2 0 0\nv 2 1 0\no b\nv 0 1 0\nf -4 -3 -2\nf 1 3 4\n",
     ];
     for text in square {
