@@ -673,3 +673,67 @@ fn a_folder_that_lacks_a_part_of_its_bag_is_refused() {
         "{message}"
     );
 }
+
+/// Poses and forces have times of their own, as in a bag, and the writer repeats each force.
+#[test]
+fn held_forces_are_paired_between_or_at_their_measurements() {
+    let log = |held: usize| {
+        let mut text = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
+        for k in 0..1000 {
+            let t = 0.02 * k as f64;
+            let from = (k / held * held) as f64;
+            let force = [0.3, 0.7, 1.1].map(|phase| 5.0 + (from + phase).sin());
+            writeln!(text, "{t:.3},{},0,0.8,0,0,0,1,,,", 0.1 * t).unwrap();
+            writeln!(
+                text,
+                "{:.3},,,,,,,,{},{},{}",
+                t + 0.01,
+                force[0],
+                force[1],
+                force[2]
+            )
+            .unwrap();
+        }
+        read_text(&text, &LogOptions::default())
+    };
+    // Held for 0.2 s: the forces are interpolated at the times of the poses.
+    let dense = log(10);
+    assert!(dense.samples.len() > 950, "{}", dense.samples.len());
+    assert!(dense.gaps.is_empty() && dense.remarks.iter().any(|one| one.contains("0.20 s later")));
+    // Held for 1 s: a sample for each measurement.
+    assert_eq!(log(50).samples.len(), 20);
+}
+
+/// The share counts forces as pairs, which have the times of the more frequent track.
+#[test]
+fn rare_forces_beyond_the_poses_count_like_frequent_ones() {
+    let share = |every: usize| {
+        let mut text = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
+        for k in 0..2000_usize {
+            let t = 0.005 * k as f64;
+            let press = if t.rem_euclid(2.0) < 1.0 { 0.0 } else { 10.0 };
+            let noise = 0.1 * (1e4 * t).sin();
+            let pose = if t < 6.0 {
+                format!("{},0,0.8,0,0,0,1", 0.1 * t)
+            } else {
+                ",,,,,,".to_owned()
+            };
+            let force = if k % every == 0 {
+                format!("{noise},0,{}", press + noise)
+            } else {
+                ",,".to_owned()
+            };
+            writeln!(text, "{t:.4},{pose},{force}").unwrap();
+        }
+        let log = read_text(&text, &LogOptions::default());
+        let lost = log.unusable.missing_pose as f64;
+        lost / (lost + log.samples.len() as f64)
+    };
+    for every in [1, 2, 10] {
+        assert!(
+            (share(every) - 0.4).abs() < 0.02,
+            "{every}: {}",
+            share(every)
+        );
+    }
+}

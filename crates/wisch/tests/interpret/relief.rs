@@ -638,3 +638,28 @@ fn a_tool_that_is_lifted_at_the_same_force_shows_no_other_surface() {
     });
     assert_eq!(shapes(&found), [], "{:?}", found.doubts);
 }
+
+/// A tool that goes back and forth has friction on the way there and on the way back.
+#[test]
+fn a_raised_area_that_is_scrubbed_is_no_tool_in_a_hand() {
+    let place = |k: u32| {
+        let aside = if k.is_multiple_of(2) { 0.0 } else { 0.005 };
+        Point2::new(0.04 + 0.0015 * f64::from(k), aside)
+    };
+    let line = |y: f64| [Point2::new(-0.16, y), Point2::new(-0.02, y)];
+    let scrubs = (0..60).map(|k| [place(k), place(k + 1)]);
+    let found = super::interpreted(&super::log::Script {
+        strokes: [line(-0.085), line(0.0), line(0.085)]
+            .into_iter()
+            .chain(scrubs)
+            .collect(),
+        surface: |place| if place.x > 0.02 { 0.006 } else { 0.0 },
+        ..super::log::Script::default()
+    });
+    assert!(
+        !found.is_conclusive(),
+        "{:?} {:?}",
+        found.doubts,
+        found.performance
+    );
+}
