@@ -23,7 +23,7 @@ fuzz_target!(|bytes: &[u8]| {
         return;
     };
     let mut config = SheetConfig::default();
-    config.choice.towards = (bytes.len() % 2 == 0).then(Vector3::z);
+    config.choice.towards = bytes.len().is_multiple_of(2).then(Vector3::z);
     let Ok(sheet) = Sheet::draft(&mesh, &config) else {
         return;
     };
