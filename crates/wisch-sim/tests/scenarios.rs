@@ -249,6 +249,113 @@ fn a_tool_that_is_lifted_gently_shows_no_other_surface() {
     }
 }
 
+/// A palletiser, whose levelling joints follow its shoulder and its elbow, with light links between heavy ones.
+fn palletiser() -> String {
+    let link = |name: &str, mass: f64, inertia: f64| {
+        format!(
+            r#"<link name="{name}"><inertial><mass value="{mass}"/>
+            <inertia ixx="{inertia}" iyy="{inertia}" izz="{inertia}" ixy="0" ixz="0" iyz="0"/></inertial></link>"#
+        )
+    };
+    let joint = |name: &str, [parent, child]: [&str; 2], at: &str, axis: &str, rest: &str| {
+        format!(
+            r#"<joint name="{name}" type="revolute"><parent link="{parent}"/><child link="{child}"/>
+            <origin xyz="{at}"/><axis xyz="{axis}"/>{rest}</joint>"#
+        )
+    };
+    let limits = |lower: f64, upper: f64| {
+        format!(
+            r#"<limit lower="{lower}" upper="{upper}" effort="400" velocity="2" acceleration="5"/>"#
+        )
+    };
+    let follow = |other: &str| {
+        format!(
+            r#"{}<mimic joint="{other}" multiplier="-1"/>"#,
+            limits(-3.0, 3.0)
+        )
+    };
+    let parts = [
+        link("base", 40.0, 0.5),
+        joint(
+            "a1",
+            ["base", "turret"],
+            "0 0 0.3",
+            "0 0 1",
+            &limits(-2.9, 2.9),
+        ),
+        link("turret", 10.0, 0.02),
+        joint(
+            "a2",
+            ["turret", "upper"],
+            "0.05 0 0.1",
+            "0 1 0",
+            &limits(-0.8, 1.1),
+        ),
+        link("upper", 8.0, 0.02),
+        joint(
+            "level1",
+            ["upper", "plate"],
+            "0 0 0.6",
+            "0 1 0",
+            &follow("a2"),
+        ),
+        link("plate", 1.0, 0.02),
+        joint(
+            "a3",
+            ["plate", "fore"],
+            "0 0 0",
+            "0 1 0",
+            &limits(-0.1, 1.3),
+        ),
+        link("fore", 5.0, 0.02),
+        joint(
+            "level2",
+            ["fore", "wrist"],
+            "0.6 0 0",
+            "0 1 0",
+            &follow("a3"),
+        ),
+        link("wrist", 1.0, 0.02),
+        r#"<joint name="a4" type="revolute"><parent link="wrist"/><child link="flange"/>
+            <origin xyz="0.05 0 -0.08" rpy="3.14159265358979 0 0"/><axis xyz="0 0 1"/>
+            <limit lower="-6" upper="6" effort="50" velocity="4" acceleration="5"/></joint>"#
+            .to_owned(),
+        link("flange", 0.4, 0.02),
+    ];
+    format!(r#"<robot name="palletiser">{}</robot>"#, parts.concat())
+}
+
+/// The plate is held to the shoulder by a spring, and the controller's damping on the elbow, which the plate carries, is too
+/// strong for its inertia.
+#[test]
+fn a_follower_that_oscillates_ends_the_simulation() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("palletiser");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("palletiser.urdf"), palletiser()).unwrap();
+    let task = r#"
+        schema = 1
+        name = "palletiser"
+        seed = 1
+        action = "absorb"
+        strategy = "grid"
+        tool = { name = "sponge" }
+        medium = { name = "breadcrumbs" }
+        particles = { source = "uniform", count = 20 }
+        surface = { name = "board", friction = 0.3, size_m = [0.32, 0.24], position_m = [0.85, 0, 0.1], rpy_rad = [0, 0, -1.57] }
+        robot = { urdf = "palletiser.urdf", position_m = [0, 0, 0] }
+    "#;
+    let path = folder.join("task.toml");
+    fs::write(&path, task).unwrap();
+    let loaded = load_task(&path, &LoadOptions::default()).unwrap();
+    let robot = loaded.robot().unwrap().expect("the task has a robot");
+    let surface = WorkSurface::from_task(&loaded.task);
+    let mut world = World::new(&surface, settings(&loaded), 1).unwrap();
+    let mut session = loaded.session().with_robot(robot.robot_setup());
+    let ended = session.run(&mut world, &mut |_| ControlFlow::Continue(()));
+    let message = ended.unwrap_err().to_string();
+    assert!(message.contains("oscillates against them"), "{message}");
+}
+
 #[test]
 fn the_wiper_cleans_the_solar_panel_as_far_as_it_believes() {
     let (loaded, rounds) = executed("solar-panel-wiper", "uniform", 1);

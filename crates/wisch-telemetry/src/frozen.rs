@@ -53,7 +53,7 @@ pub(crate) fn find_frozen_poses(poses: &[(i64, Pose)], forces: &[(i64, Vector3)]
         let next = poses.get(first + run.len());
         first += run.len();
         let last = run[run.len() - 1].0;
-        if run.len() <= LEAST_REPEATS || last - run[0].0 <= LONGEST_STILL {
+        if run.len() <= LEAST_REPEATS || last.saturating_sub(run[0].0) <= LONGEST_STILL {
             continue;
         }
         let share = match next {
@@ -136,11 +136,12 @@ pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
         } else {
             LONGEST_REPEAT
         };
-        let is_long = last - first > LONGEST_REPEAT && run.len() > LEAST_REPEATS;
+        let lasts = last.saturating_sub(first);
+        let is_long = lasts > LONGEST_REPEAT && run.len() > LEAST_REPEATS;
         let is_sole = returns.get(&bits(&run[0].1)) == Some(&1);
         let has_stopped = is_noisy && Some(last) == end;
         let had_not_begun = is_noisy && !is_zero;
-        if is_long && (!is_first || had_not_begun) && is_sole && last - first > longest {
+        if is_long && (!is_first || had_not_begun) && is_sole && lasts > longest {
             frozen.push([run[1].0, last]);
             if is_zero || has_stopped || is_first {
                 excluded += run.len();
@@ -163,7 +164,8 @@ pub(crate) fn find_frozen(entries: &[(i64, Vector3)]) -> Vec<[i64; 2]> {
 /// Whether there are many forces outside of long repetitions, and hardly any equals the one before.
 fn is_noisy(entries: &[(i64, Vector3)]) -> bool {
     let is_short = |run: &&[(i64, Vector3)]| {
-        run.len() <= LEAST_REPEATS || run[run.len() - 1].0 - run[0].0 <= LONGEST_REPEAT
+        run.len() <= LEAST_REPEATS
+            || run[run.len() - 1].0.saturating_sub(run[0].0) <= LONGEST_REPEAT
     };
     let runs = entries.chunk_by(|a, b| a.1 == b.1).filter(is_short);
     let (changes, others) = runs.fold((0, 0), |(changes, others), run| {
@@ -192,7 +194,7 @@ pub(crate) fn find_held_forces(entries: &[(i64, Vector3)]) -> Option<(Vec<(i64, 
         return None;
     }
     let mut steps: Vec<i64> = (runs.windows(2))
-        .map(|pair| pair[1][0].0 - pair[0][0].0)
+        .map(|pair| pair[1][0].0.saturating_sub(pair[0][0].0))
         .collect();
     steps.sort_unstable();
     let period = steps[steps.len() / 2];

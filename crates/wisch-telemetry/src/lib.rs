@@ -25,6 +25,7 @@ mod error;
 mod frames;
 mod frozen;
 mod log;
+mod log_files;
 mod options;
 mod plausibility;
 mod quantity;
@@ -37,7 +38,8 @@ mod track;
 
 pub use bag::{BagHead, BagRobot, BagScene, BagWriter, ObservationTime, active_path, read_samples};
 pub use error::{ReadError, ReadFault, RecordingKind, WriteError};
-pub use log::{AxesSource, Log, Skipped, is_bag, read};
+pub use log::{AxesSource, Log, Skipped, read};
+pub use log_files::is_bag;
 pub use options::{
     Axes, AxesChoice, Clock, LogOptions, OrientationForm, Payload, TopicChoice, WrenchSign,
 };

@@ -76,25 +76,26 @@ fn find_at(
     value: f64,
     extremes: [f64; 2],
 ) -> Option<Saturation> {
-    let (mut intervals, mut lasts) = (Vec::new(), 0);
+    let (mut intervals, mut lasts) = (Vec::new(), 0_i64);
     let (mut pairs, mut changes) = (0_usize, 0_usize);
     let (mut off, mut repeats) = (0_usize, 0_usize);
     let [mut longest, mut longest_off] = [0_i64; 2];
     for run in entries.chunk_by(|a, b| a.1[axis] == b.1[axis]) {
         let [first, last] = [run[0].0, run[run.len() - 1].0];
+        let lasting = last.saturating_sub(first);
         let here = run[0].1[axis];
         if here == value {
             intervals.push([first, last]);
-            if last - first >= LEAST_RUN && run.len() >= FEWEST {
-                lasts += last - first;
-                longest = longest.max(last - first);
+            if lasting >= LEAST_RUN && run.len() >= FEWEST {
+                lasts = lasts.saturating_add(lasting);
+                longest = longest.max(lasting);
                 pairs += run.len() - 1;
                 changes += run.windows(2).filter(|two| two[0].1 != two[1].1).count();
             }
         } else if !extremes.contains(&here) {
             off += run.len();
             repeats += run.len() - 1;
-            longest_off = longest_off.max(last - first);
+            longest_off = longest_off.max(lasting);
         }
     }
     let share = |part: usize, all: usize| part as f64 / all.max(1) as f64;

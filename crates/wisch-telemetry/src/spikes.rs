@@ -68,7 +68,7 @@ pub(crate) fn take_out_spikes(entries: &mut Vec<(i64, Vector3)>, max_gap: i64) -
     };
     let mut is_kept = vec![true; entries.len()];
     for (run, _) in runs {
-        if entries[run.end].0 - entries[run.start - 1].0 <= max_gap {
+        if entries[run.end].0.saturating_sub(entries[run.start - 1].0) <= max_gap {
             spikes.left_out += run.len();
             is_kept[run].fill(false);
         } else {

@@ -261,16 +261,18 @@ impl<Q: Quantity> Track<Q> {
         if !run.is_sorted_by_key(|entry| entry.0) {
             return false;
         }
-        let near = (last - first) / (4 * LATE_RUN as i64);
+        let near = last.saturating_sub(first) / (4 * LATE_RUN as i64);
         let mut others: Vec<i64> = (earlier.iter().rev().take(MOST_EARLIER))
-            .take_while(|entry| entry.0 >= first - near)
+            .take_while(|entry| entry.0 >= first.saturating_sub(near))
             .filter(|entry| !run.contains(entry))
             .map(|entry| entry.0)
             .collect();
         others.sort_unstable();
         let is_repeated = |entry: &&(i64, Q)| {
-            let next = others.partition_point(|time| *time < entry.0 - near);
-            others.get(next).is_some_and(|time| *time <= entry.0 + near)
+            let next = others.partition_point(|time| *time < entry.0.saturating_sub(near));
+            others
+                .get(next)
+                .is_some_and(|time| *time <= entry.0.saturating_add(near))
         };
         run.iter().filter(is_repeated).count() >= LEAST_REPEATED
     }

@@ -285,7 +285,9 @@ fn describe_coarse_times(times: &[Option<i64>]) -> Option<String> {
     let known: Vec<i64> = times.iter().flatten().copied().collect();
     let runs: Vec<&[i64]> = known.chunk_by(|a, b| a == b).collect();
     let most = runs.iter().map(|run| run.len()).max()?;
-    let steps = runs.windows(2).map(|pair| pair[1][0] - pair[0][0]);
+    let steps = runs
+        .windows(2)
+        .map(|pair| pair[1][0].saturating_sub(pair[0][0]));
     let period = steps.min()?;
     if LEAST_COARSE * runs.len() > known.len() || period <= 0 {
         return None;
@@ -325,14 +327,17 @@ fn add_turns(instants: &[Option<Instant>], unit: f64, times: &mut [Option<i64>])
                 let Some(last) = last else {
                     return time;
                 };
-                let turns = (last - time + period / 2).div_euclid(period);
+                let turns = last
+                    .saturating_sub(time)
+                    .saturating_add(period / 2)
+                    .div_euclid(period);
                 if turns > 0 {
                     first_turn.get_or_insert(index);
                 }
                 time + turns * period
             });
             if let (Some(risen), Some(last)) = (risen, last) {
-                is_continuous &= (risen - last).abs() <= longest;
+                is_continuous &= risen.abs_diff(last) <= longest.unsigned_abs();
             }
             last = risen.or(last);
             turned.push(risen);

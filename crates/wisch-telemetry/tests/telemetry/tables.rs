@@ -624,7 +624,7 @@ fn with_holes(has: impl Fn(f64) -> [bool; 2]) -> String {
 }
 
 #[test]
-fn poses_beyond_the_forces_are_kept_apart() {
+fn poses_before_and_after_the_forces_are_listed() {
     let options = LogOptions::default();
     let whole = read_text(&with_holes(|_| [true; 2]), &options);
     assert_eq!(whole.poses_alone, []);
@@ -638,6 +638,31 @@ fn poses_beyond_the_forces_are_kept_apart() {
         for (time, pose) in &log.poses_alone {
             assert!((pose.translation.x - first - 0.1 * time).abs() < 1e-6);
         }
+    }
+}
+
+/// Two times may be farther apart than the nanoseconds of an integer.
+#[test]
+fn times_at_both_ends_of_their_range_are_read() {
+    let options = LogOptions {
+        time_unit: Some(1.0),
+        ..LogOptions::default()
+    };
+    let row = |t: f64, has_force: bool| {
+        let force = if has_force { "0,0,10" } else { ",," };
+        format!("{t},0,0,0.8,0,0,0,1,{force}\n")
+    };
+    for has_early_force in [true, false] {
+        let mut text = "t,x,y,z,qx,qy,qz,qw,fx,fy,fz\n".to_owned();
+        for begin in [-8.9e9, 8.9e9] {
+            for k in 0..40 {
+                // Three rows of the same time each.
+                let t = begin + f64::from(k / 3);
+                text += &row(t, has_early_force || begin > 0.0);
+            }
+        }
+        let log = read_text(&text, &options);
+        assert!(!log.samples.is_empty());
     }
 }
 

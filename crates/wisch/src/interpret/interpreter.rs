@@ -8,12 +8,13 @@ use super::contact::{
     TouchSample, find_early_tare, find_stiffness, interpolate_held_poses, level_leaning_tool,
     median, middle,
 };
-use super::doubt::{Doubt, NEAR};
+use super::doubt::Doubt;
 use super::error::InterpretError;
 use super::events::{Event, EventDetector};
 use super::fast_turns::find_fast_turns;
 use super::interpretation::{Diagnosis, Interpretation};
 use super::log_evidence::{LEAST_ON_PLANE, LogEvidence};
+use super::poses_alone::PosesAlone;
 use super::wrench_quality::UnusableWrenches;
 use crate::geometry::{PlanarPose, Point2, Point3, Pose, Region, Vector3};
 use crate::represent::{
@@ -27,15 +28,6 @@ const SETTLING: f64 = 0.5;
 /// Largest force of an event over a lasting change of the bias that explains it [1]: the change is that of medians, and
 /// the bias goes on drifting.
 const BIAS_FORCE: f64 = 1.5;
-/// Largest distance from the found surface at which a tool without measured force counts as sliding on it [m].
-const ON_SURFACE: f64 = 5e-3;
-/// Least time between two poses without a force that are kept, and largest time between two that follow each other [s].
-const BETWEEN_POSES: f64 = 0.02;
-const LONGEST_BETWEEN: f64 = 0.5;
-/// Number of such poses from which every second one is left out.
-const MOST_POSES: usize = 200_000;
-/// Least travel on the surface without a force that may have wiped [m].
-const LEAST_SLIDING: f64 = 0.02;
 
 /// Interpreter of a log that takes sample by sample in bounded memory, and interprets at any time what it has so far.
 ///
@@ -119,9 +111,7 @@ pub struct Interpreter {
     config: InterpretConfig,
     downsampler: Downsampler,
     unusable: UnusableWrenches,
-    /// Times of poses without a force [s] and positions of the tool in the world, and the least time between two of them [s].
-    poses_alone: Vec<(f64, Point3)>,
-    between_poses: f64,
+    poses_alone: PosesAlone,
 }
 
 impl Interpreter {
@@ -142,8 +132,7 @@ impl Interpreter {
             downsampler: Downsampler::new(&task.surface, config.max_pieces),
             config: config.clone(),
             unusable: UnusableWrenches::default(),
-            poses_alone: Vec::new(),
-            between_poses: BETWEEN_POSES,
+            poses_alone: PosesAlone::default(),
         })
     }
 
@@ -171,21 +160,7 @@ impl Interpreter {
     /// order of the times. If the tool slid on the surface at such times, the estimate is a lower bound, and a [`Doubt`] states
     /// for how long.
     pub fn note_pose(&mut self, time: f64, world_from_tool: &Pose) {
-        let place: Point3 = world_from_tool.translation.vector.into();
-        let is_valid = time.is_finite() && place.iter().all(|part| part.is_finite());
-        let last = self.poses_alone.last();
-        if !is_valid || last.is_some_and(|(last, _)| time - last < self.between_poses) {
-            return;
-        }
-        self.poses_alone.push((time, place));
-        if self.poses_alone.len() >= MOST_POSES {
-            let mut number = 0;
-            self.poses_alone.retain(|_| {
-                number += 1;
-                number % 2 == 1
-            });
-            self.between_poses *= 2.0;
-        }
+        self.poses_alone.note(time, world_from_tool);
     }
 
     /// Interprets the samples so far. The result holds contacts, plane, events and doubts, and the
@@ -601,32 +576,9 @@ impl Interpreter {
 
     /// Adds the time in which the tool slid on the surface without a force to the doubt about an incomplete log.
     fn count_sliding_without_force(&self, classified: &ClassifiedPath, doubts: &mut Vec<Doubt>) {
-        let surface_from_world = self.surface.world_from_surface.inverse();
-        let is_known = classified.registration.is_some() || classified.plane.is_some();
-        let near = if is_known { ON_SURFACE } else { NEAR };
-        let is_on = |place: &Point3| {
-            let place = surface_from_world * place;
-            let at = self.surface.shape.chart(place);
-            let in_chart = Point3::new(at.place.x, at.place.y, at.height);
-            let height = match (&classified.registration, &classified.plane) {
-                (Some(fit), _) => fit.height(&self.surface.shape, place),
-                (None, Some((plane, _))) => plane.distance(in_chart),
-                (None, None) => in_chart.z,
-            };
-            height.abs() <= near && self.surface.outline.contains(at.place)
-        };
-        let longest = LONGEST_BETWEEN.max(2.0 * self.between_poses);
-        let (mut time, mut travel) = (0.0, 0.0);
-        for pair in self.poses_alone.windows(2) {
-            let [(start, from), (end, to)] = [&pair[0], &pair[1]];
-            if end - start <= longest && is_on(from) && is_on(to) {
-                time += end - start;
-                travel += (to - from).norm();
-            }
-        }
-        if travel < LEAST_SLIDING {
+        let Some(time) = self.poses_alone.time_on(&self.surface, classified) else {
             return;
-        }
+        };
         let known = doubts.iter_mut().find_map(|doubt| match doubt {
             Doubt::Incomplete { missing, .. } => Some(missing),
             _ => None,

@@ -95,17 +95,21 @@ struct SteadySlide {
     share_off_plane: f64,
 }
 
-/// Returns the least friction over the normal force of a tool that slides on a surface, if it has that of these slides on the
-/// plane [1]; negative infinity if they show no friction.
-fn least_drag(on_plane: &[SteadySlide]) -> f64 {
-    let travel: f64 = on_plane.iter().map(|slide| slide.travel).sum();
-    let dragged: f64 = (on_plane.iter())
-        .map(|slide| slide.drag * slide.travel)
-        .sum();
-    if dragged >= LEAST_DRAG * travel && travel > 0.0 {
-        LEAST_DRAG_SHARE * dragged / travel
-    } else {
-        f64::NEG_INFINITY
+/// The slides of a log.
+struct SteadySlides {
+    /// Those off the plane.
+    off: Vec<SteadySlide>,
+    /// Length of those on the plane [m].
+    travel_on: f64,
+    /// Least friction over the normal force of a tool that slides on a surface [1]; `None` if the slides on the plane show no
+    /// friction.
+    least_drag: Option<f64>,
+}
+
+impl SteadySlides {
+    /// Whether a hand carries the tool: it has not the friction that it has on the plane.
+    fn is_carried(&self, slide: &SteadySlide) -> bool {
+        self.least_drag.is_some_and(|least| slide.drag < least)
     }
 }
 
@@ -403,15 +407,21 @@ impl LogEvidence<'_> {
                 *piece = piece.in_chart_at(&fit.believed_from_real, &self.surface.shape);
             }
         }
+        let slides = self.divide_slides();
         // Where a hand carries the tool, it shows no shape.
-        for slide in self.slides_without_friction().iter().rev() {
+        for slide in slides
+            .off
+            .iter()
+            .rev()
+            .filter(|slide| slides.is_carried(slide))
+        {
             pieces.drain(slide.pieces.clone());
         }
         let shape = ContactShape::of(&pieces, self.surface, self.config);
         if !self.surface.shape.is_plane() {
             let off = shape.map(|(_, off)| off);
             let doubt = off.map(|off| Doubt::OffShape { off });
-            return doubt.or_else(|| self.find_steady_contact_off_plane());
+            return doubt.or_else(|| self.find_steady_contact_off_plane(&slides));
         }
         let doubt = shape.map(|(shape, off)| match shape {
             ContactShape::Cylinder {
@@ -435,27 +445,23 @@ impl LogEvidence<'_> {
             ContactShape::Doubly { radii, direction } => Doubt::DoublyCurved { radii, direction },
             ContactShape::Other => Doubt::NotPlanar { off },
         });
-        doubt.or_else(|| self.find_steady_contact_off_plane())
+        doubt.or_else(|| self.find_steady_contact_off_plane(&slides))
     }
 
     /// Returns a doubt if the tool slid off the plane with the force and the friction with which it slides on it: a hand that
     /// pushes gives no such force for long, and a tool that it lifts has no friction.
-    fn find_steady_contact_off_plane(&self) -> Option<Doubt> {
+    fn find_steady_contact_off_plane(&self, slides: &SteadySlides) -> Option<Doubt> {
         self.classified.plane.as_ref()?;
         let nominal = self.config.nominal_force();
-        let (off, on): (Vec<_>, Vec<_>) =
-            (self.steady_slides().into_iter()).partition(|slide| slide.share_off_plane >= MOSTLY);
-        let travel_on: f64 = on.iter().map(|slide| slide.travel).sum();
-        let least_drag = least_drag(&on);
         // A hand lifts the tool steeply or far, with the force that the controller keeps.
         let is_lifted = |slide: &SteadySlide| {
             let is_steep = slide.rise.abs() > STEEPEST * slide.travel;
-            is_steep || slide.highest > MOST_SPREAD || slide.drag < least_drag
+            is_steep || slide.highest > MOST_SPREAD || slides.is_carried(slide)
         };
-        let off = (off.iter()).filter(|slide| STEADY.contains(&(slide.force / nominal)));
+        let off = (slides.off.iter()).filter(|slide| STEADY.contains(&(slide.force / nominal)));
         let off: Vec<&SteadySlide> = off.filter(|slide| !is_lifted(slide)).collect();
         let travel_off: f64 = off.iter().map(|slide| slide.travel).sum();
-        let least = (LEAST_STEADY_OFF * (travel_on + travel_off)).max(LEAST_STEADY_TRAVEL);
+        let least = (LEAST_STEADY_OFF * (slides.travel_on + travel_off)).max(LEAST_STEADY_TRAVEL);
         if off.is_empty() || travel_off < least {
             return None;
         }
@@ -473,12 +479,18 @@ impl LogEvidence<'_> {
         })
     }
 
-    /// Returns the slides off the plane on which the tool had not the friction that it has on the plane.
-    fn slides_without_friction(&self) -> Vec<SteadySlide> {
+    /// Divides the slides into those on the plane and those off it.
+    fn divide_slides(&self) -> SteadySlides {
         let (off, on): (Vec<_>, Vec<_>) =
             (self.steady_slides().into_iter()).partition(|slide| slide.share_off_plane >= MOSTLY);
-        let least = least_drag(&on);
-        off.into_iter().filter(|slide| slide.drag < least).collect()
+        let travel_on: f64 = on.iter().map(|slide| slide.travel).sum();
+        let dragged: f64 = on.iter().map(|slide| slide.drag * slide.travel).sum();
+        let has_friction = travel_on > 0.0 && dragged >= LEAST_DRAG * travel_on;
+        SteadySlides {
+            off,
+            travel_on,
+            least_drag: has_friction.then(|| LEAST_DRAG_SHARE * dragged / travel_on),
+        }
     }
 
     /// Divides the path into pieces of a given travel over which the tool pressed all the time.

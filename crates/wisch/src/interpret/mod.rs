@@ -16,6 +16,7 @@ mod fast_turns;
 mod interpretation;
 mod interpreter;
 mod log_evidence;
+mod poses_alone;
 mod uncertainty;
 mod wrench_quality;
 

@@ -205,7 +205,8 @@ pub fn may_exceed_max_passes(task: &Task, belief: &Belief, target: f64) -> bool 
     far_above.map(|(_, weight)| weight).sum::<f64>() > MAX_FALSE_CLAIM_PROBABILITY
 }
 
-/// Whether wiping that the log does not show may have undone the goal, as [`Action::is_lasting`](crate::represent::Action::is_lasting) states.
+/// Whether wiping that the log does not show may have undone the goal: see
+/// [`Action::is_lasting`](crate::represent::Action::is_lasting).
 pub fn may_be_undone(task: &Task, interpretation: &Interpretation) -> bool {
     // No camera shows how often a point was polished.
     let is_unseen = interpretation.observation.is_none() || task.treatment.is_some();

@@ -2,9 +2,9 @@
 //!
 //! STL is parsed by the `mesh-loader` crate, after checks that limit its allocations. COLLADA is read here
 //! (`collada.rs`): mesh-loader 0.1.13 does not return from a `<Name_array>`, panics or aborts on inconsistent counts,
-//! ignores node transforms under 1 cm and misplaces nested nodes. So is OBJ (`obj.rs`): it refuses comments at the end of a
-//! line, continued lines, and faces with texture coordinates after faces without, and it cuts every face into a fan. PLY is
-//! read in `ply.rs`, height fields in `height_field.rs`.
+//! ignores node transforms under 1 cm and misplaces nested nodes. OBJ is read in `obj.rs`: mesh-loader refuses comments at the
+//! end of a line, continued lines, and faces with texture coordinates after faces without, and cuts every face into a fan. PLY
+//! is read in `ply.rs`, height fields in `height_field.rs`.
 
 use super::{MAX_TRIANGLES, Mesh, MeshError, Point3, collada, height_field, obj, ply};
 use std::io;
